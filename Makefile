@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: Apache-2.0
+# castray: the one front door. `make help` lists the targets.
+SHELL       := bash
+.SHELLFLAGS := -euo pipefail -c
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+BUILD := build
+JOBS  ?= $(shell nproc)
+ifeq ($(filter -j% --jobs%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(JOBS)
+endif
+
+CXX      := clang++
+CXXFLAGS := -std=c++20 -O3 -march=native -Wall -Wextra -Wno-unused-parameter -MMD -MP \
+            -Icpp_model -Isim -I$(BUILD)/gen -isystem /usr/include/Imath
+
+include tools/rtl.mk
+include tools/cpp.mk
+include tools/targets.mk

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Layout of the scene image, the one contract between host, model and RTL. All fields are
+// little-endian; a struct's LAST field lies at its lowest address. docs/scene-image.md explains.
+package castray_image_pkg;
+  import castray_cfg_pkg::*;
+  import castray_pkg::*;
+
+  localparam logic [31:0] ImageMagic   = 32'h59525443;  // "CTRY"
+  localparam logic [31:0] ImageVersion = 32'd1;
+  localparam int unsigned ImageAlign   = 256;  // alignment of the image and of its sections, bytes
+  localparam int unsigned BufferAlign  = 64;   // alignment of frame and hit buffers, bytes
+  localparam int unsigned HeaderBytes  = 128;
+  localparam int unsigned FrameBytes   = 128;  // the frame record follows the header
+  localparam int unsigned SlotBytes    = 32;
+  localparam int unsigned LineBytes    = 64;   // two slots
+  localparam int unsigned AttrBytes    = 64;
+  localparam int unsigned HitBytes     = 32;
+  localparam int unsigned PixelBytes   = 4;
+
+  // The widths an image was made for; compared whole.
+  localparam logic [31:0] ImageParameters =
+    32'(CoordW) | (32'(PrimW) << 8) | (32'(UnitFrac) << 16) | (32'(DirFrac) << 24);
+
+  // A section: its first byte from the image's start, and how many records it holds.
+  typedef struct packed {
+    logic [31:0] count;
+    logic [31:0] offset;
+  } section_t;
+
+  typedef struct packed {
+    logic [415:0]       reserved;
+    logic signed [63:0] corner_z;     // the scene's corner, grid steps from the world's origin
+    logic signed [63:0] corner_y;
+    logic signed [63:0] corner_x;
+    logic [31:0]        root;         // reference of the hierarchy's root
+    section_t           nodes;        // 64-byte nodes of the hierarchy
+    section_t           attributes;   // attr_t, one for each primitive, by number
+    section_t           lines;        // pairs of prim_slot_t
+    logic [31:0]        primitives;   // how many numbers are in use
+    logic [31:0]        image_bytes;
+    logic signed [31:0] grid_power;   // a step is 2^grid_power scene units
+    logic [31:0]        parameters;   // ImageParameters
+    logic [31:0]        version;
+    logic [31:0]        magic;
+  } image_header_t;
+
+  typedef logic signed [31:0] rot_t;  // Q2.30, an element of the camera's matrix
+
+  // The frame record: the camera and the paint of one picture.
+  typedef struct packed {
+    logic [303:0] reserved;
+    logic [31:0]  stride;         // bytes from one row of the frame buffer to the next
+    logic [7:0]   unused;
+    logic [7:0]   pixel_format;   // 0 RGBA8, 1 BGRA8
+    logic [15:0]  height;
+    logic [15:0]  width;
+    logic [31:0]  checker_scale;  // Q10.8
+    logic [31:0]  colour_b;       // R in the lowest byte, then G, B
+    logic [31:0]  colour_a;
+    logic [31:0]  background;
+    logic [63:0]  focal;          // Q0.44, focal length
+    logic [63:0]  pitch;          // Q0.44, half the width of a pixel at the focal length
+    rot_t         back_z;         // third column of the camera-to-world matrix
+    rot_t         back_y;
+    rot_t         back_x;
+    rot_t         up_z;
+    rot_t         up_y;
+    rot_t         up_x;
+    rot_t         right_z;
+    rot_t         right_y;
+    rot_t         right_x;
+    logic [31:0]  eye_z;          // grid steps from the scene's corner
+    logic [31:0]  eye_y;
+    logic [31:0]  eye_x;
+  } frame_record_t;
+
+  localparam logic [7:0] PixelRgba8 = 8'd0;
+  localparam logic [7:0] PixelBgra8 = 8'd1;
+
+  localparam logic [7:0] MaterialChecker = 8'd0;  // the two colours by the checker's cell
+  localparam logic [7:0] MaterialA       = 8'd1;  // the first colour only
+  localparam logic [7:0] MaterialB       = 8'd2;  // the second colour only
+
+  // Attributes of a primitive, 64 bytes. A sphere uses material and centre only.
+  typedef struct packed {
+    logic [46:0] reserved;
+    logic        kind;
+    logic [7:0]  material;
+    point_t      centre;      // of a sphere
+    tex_t        tc, sc;      // texture coordinates (s, t) of corners c, b, a
+    tex_t        tb, sb;
+    tex_t        ta, sa;
+    unit3_t      face;        // the face's normal, for where the corners' cancel
+    unit3_t      nc;          // unit normals of the corners
+    unit3_t      nb;
+    unit3_t      na;
+  } attr_t;
+
+  // A hit with its primitive's attributes: what the shader takes.
+  typedef struct packed {
+    attr_t attr;
+    hit_t  hit;
+  } shade_req_t;
+
+  // One record of the hit buffer.
+  typedef struct packed {
+    logic [95:0]        reserved;
+    logic [31:0]        instance_id;  // 0 for now; all ones for a miss
+    logic [31:0]        prim;         // all ones for a miss
+    logic [31:0]        v;            // Q1.24
+    logic [31:0]        u;            // Q1.24
+    logic signed [31:0] t;            // Q27.4, TMax for a miss
+  } hit_record_t;
+endpackage

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// Formats and records of every stream. C++ reads this file too: tools/sv_records.py turns each
+// type into a struct of the same name with the same fields, packed the same way.
+package castray_pkg;
+  import castray_cfg_pkg::*;
+
+  // ---- Formats. Qi.f: i integer bits with the sign where there is one, f fraction bits ----
+  typedef logic [CoordW-1:0]               coord_t;    // grid steps from the scene's corner
+  typedef logic signed [CoordW:0]          delta_t;    // difference of two positions, steps
+  typedef logic signed [CoordW:0]          sheared_t;  // sheared position, units of two steps
+  typedef logic signed [ShearFrac:0]       shear_t;    // Q1.26, magnitude below one
+  typedef logic [NormFrac+1:0]             norm2_t;    // Q2.24, 1 + Sx^2 + Sy^2
+  typedef logic signed [CoordW+TFrac:0]    t_t;        // Q27.4, steps along the dominant axis
+  typedef logic [BaryFrac:0]               bary_t;     // Q1.24, zero to one inclusive
+  typedef logic signed [DirFrac+2:0]       dir_comp_t; // Q3.42
+  typedef logic signed [DirFrac+1:0]       dir_step_t; // Q2.42
+  typedef logic signed [UnitFrac+1:0]      unit_t;     // Q2.16
+  typedef logic signed [26:0]              tex_t;      // Q11.16, texture coordinate
+  typedef logic [PrimW-1:0]                prim_t;
+  typedef logic [CtxW-1:0]                 ctx_t;
+  typedef logic [1:0]                      axis_t;     // 0 x, 1 y, 2 z
+  typedef logic [11:0]                     pixel_t;    // column or row of a frame
+
+  localparam prim_t  NoPrim = '1;
+  localparam t_t     TMax   = t_t'((1 << (CoordW + TFrac)) - 1);
+
+  // Kinds of primitive.
+  localparam logic KindTriangle = 1'b0;
+  localparam logic KindSphere   = 1'b1;
+
+  typedef struct packed { coord_t x, y, z; }    point_t;
+  typedef struct packed { dir_comp_t x, y, z; } dir_t;
+  typedef struct packed { dir_step_t x, y, z; } dir_step3_t;
+  typedef struct packed { unit_t x, y, z; }     unit3_t;
+
+  // ---- Camera ----
+  // One pixel of the walk. slot: the tile's place in the gather buffer.
+  typedef struct packed {
+    logic [7:0] slot;
+    pixel_t     y;
+    pixel_t     x;
+  } pixel_tag_t;
+
+  // One tile, clipped to the window: its first pixel, its size, its place in the gather buffer.
+  typedef struct packed {
+    logic [7:0] slot;
+    logic [4:0] height;
+    logic [4:0] width;
+    pixel_t     y;
+    pixel_t     x;
+  } tile_t;
+
+  // The camera of a frame, made once a job by frame_setup from the frame record.
+  typedef struct packed {
+    point_t     eye;
+    dir_step3_t right;   // one column to the right, half a pixel's width: see ray_gen
+    dir_step3_t up;
+    dir_step3_t ahead;   // the camera's axis, focal length included
+    logic [12:0] width;
+    logic [12:0] height;
+  } camera_t;
+
+  typedef struct packed {
+    pixel_tag_t tag;
+    dir_t       dir;
+  } pixel_dir_t;
+
+  // A ray as a lane sees it: origin, shear on permuted axes, dominant axis and its sign.
+  typedef struct packed {
+    pixel_tag_t tag;
+    point_t     org;
+    shear_t     sx;
+    shear_t     sy;
+    norm2_t     norm2;
+    axis_t      axis;
+    logic       neg;      // the direction's dominant component is negative
+    logic       valid;    // false: the direction is zero and nothing is hit
+    logic       cull;     // back faces are not hit
+    logic       any_hit;  // any hit will do
+    t_t         tmin;     // hits lie strictly between tmin and tmax
+    t_t         tmax;
+    prim_t      ignore;   // this primitive is not hit; NoPrim: none
+  } ray_t;
+
+  // ---- Primitives ----
+  // One slot of the primitive buffer, 256 bits: a triangle's corners, or a sphere's centre in a
+  // and its radius in b.x. number == NoPrim: an empty slot.
+  typedef struct packed {
+    logic   kind;
+    prim_t  number;
+    point_t c;
+    point_t b;
+    point_t a;
+  } prim_slot_t;
+
+  // What the primitive pipe needs of a ray.
+  typedef struct packed {
+    point_t org;
+    shear_t sx;
+    shear_t sy;
+    norm2_t norm2;
+    axis_t  axis;
+    logic   neg;
+    logic   cull;
+  } test_ray_t;
+
+  // A primitive accepted by the exact test; what is left is to divide.
+  // Triangle: |U|, |V|, |det| and the dominant coordinates of its corners from the origin.
+  // Sphere: det holds the discriminant in units of two square steps, az the projection
+  // X Sx + Y Sy (in quarter steps, see hit_unit), cz the centre's dominant coordinate.
+  typedef struct packed {
+    ctx_t         ctx;
+    prim_t        number;
+    logic         kind;
+    logic [54:0]  u;
+    logic [54:0]  v;
+    logic [55:0]  det;
+    logic signed [31:0] az;
+    delta_t       bz;
+    delta_t       cz;
+  } cand_t;
+
+  // What the hit unit needs of a ray.
+  typedef struct packed {
+    norm2_t norm2;
+    logic   neg;
+    logic   cull;
+    t_t     tmin;
+  } hit_ray_t;
+
+  // A candidate with its distance.
+  typedef struct packed {
+    ctx_t  ctx;
+    prim_t number;
+    logic  kind;
+    t_t    t;
+    bary_t u;
+    bary_t v;
+  } result_t;
+
+  // The nearest hit of a ray, with what shading needs of the ray.
+  typedef struct packed {
+    pixel_tag_t tag;
+    logic       found;
+    logic       kind;
+    prim_t      number;
+    t_t         t;
+    bary_t      u;
+    bary_t      v;
+    shear_t     sx;
+    shear_t     sy;
+    axis_t      axis;
+    logic       neg;
+  } hit_t;
+
+  // ---- Shading ----
+  typedef struct packed { logic [7:0] b, g, r; } rgb_t;
+
+  // The materials' parameters of a frame, from the frame record.
+  typedef struct packed {
+    rgb_t        background;
+    rgb_t        colour_a;
+    rgb_t        colour_b;
+    logic [17:0] checker_scale;  // Q10.8 cells for each unit of texture coordinate
+    logic        swap_rb;        // pixel format BGRA
+  } paint_t;
+
+  typedef struct packed {
+    pixel_tag_t  tag;
+    logic [31:0] colour;
+  } shaded_t;
+
+  // ---- Memory ----
+  localparam int unsigned AddrW  = 40;
+  localparam int unsigned DataW  = 128;
+  localparam int unsigned StrbW  = DataW / 8;
+  localparam int unsigned BeatsW = 5;   // 1 to 16 beats a burst
+  typedef logic [AddrW-1:0]  addr_t;
+  typedef logic [DataW-1:0]  beat_t;
+
+  // Clients of the read arbiter, in this order.
+  localparam int unsigned ReadClients   = 3;
+  localparam int unsigned ReadJob       = 0;
+  localparam int unsigned ReadPrimitive = 1;
+  localparam int unsigned ReadAttribute = 2;
+  // Clients of the write arbiter.
+  localparam int unsigned WriteClients = 2;
+  localparam int unsigned WritePixel   = 0;
+  localparam int unsigned WriteHit     = 1;
+
+  // A burst of beats from addr, which is aligned so that it stays inside a 4 KiB page.
+  typedef struct packed {
+    addr_t             addr;
+    logic [BeatsW-1:0] beats;
+  } read_req_t;
+
+  typedef struct packed {
+    logic  last;
+    beat_t data;
+  } read_rsp_t;
+
+  // A whole write burst in one item: up to 64 bytes, aligned to its own size.
+  typedef struct packed {
+    addr_t             addr;
+    logic [2:0]        beats;   // 1, 2 or 4
+    logic [63:0]       strb;
+    logic [511:0]      data;
+  } write_req_t;
+
+  // ---- Control ----
+  // The arguments of a job, latched at its start.
+  typedef struct packed {
+    addr_t       image;
+    addr_t       frame;
+    addr_t       hits;
+    logic [31:0] image_bytes;
+    logic [31:0] frame_bytes;
+    logic [31:0] hits_bytes;
+    logic [12:0] width;
+    logic [12:0] height;
+    logic [12:0] x0;            // the window that is rendered: x0 <= x < x1, y0 <= y < y1
+    logic [12:0] y0;
+    logic [12:0] x1;
+    logic [12:0] y1;
+    logic        want_hits;
+    logic        z_order;       // tiles along a Z curve, else in rows
+  } job_t;
+
+  typedef enum logic [7:0] {
+    ErrNone        = 8'd0,
+    ErrRegister    = 8'd1,   // a register holds an illegal value
+    ErrImage       = 8'd2,   // not a scene image of this version
+    ErrParameters  = 8'd3,   // an image for other bit widths
+    ErrSection     = 8'd4,   // a section of the image lies outside it
+    ErrFrameRecord = 8'd5,   // the frame record was made for another frame size, or is illegal
+    ErrFrameWindow = 8'd6,   // the frame buffer is too small
+    ErrHitWindow   = 8'd7,   // the hit buffer is too small
+    ErrReadBus     = 8'd8,   // an error response to a read
+    ErrWriteBus    = 8'd9,   // an error response to a write
+    ErrPrimitive   = 8'd10   // a primitive's number is out of range
+  } error_t;
+endpackage

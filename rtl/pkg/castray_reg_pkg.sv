@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The register map: byte offsets on the AXI4-Lite port. The first four, the order of pointers and
+// the meaning of bits follow what HLS tools generate, so that their users find what they know.
+// docs/register-map.md is the reader's version and is checked against this file.
+package castray_reg_pkg;
+  localparam int unsigned RegAddrW = 9;
+
+  localparam int unsigned RegControl    = 'h000;  // ap_ctrl, see the Ctrl bits
+  localparam int unsigned RegGie        = 'h004;  // bit 0: interrupts reach the pin
+  localparam int unsigned RegIer        = 'h008;  // which of the Isr bits may raise it
+  localparam int unsigned RegIsr        = 'h00c;  // toggled by writing ones
+  localparam int unsigned RegImage      = 'h010;  // scene image, 64-bit pointer, 256-byte aligned
+  localparam int unsigned RegFrame      = 'h01c;  // frame buffer, 64-bit pointer, 64-byte aligned
+  localparam int unsigned RegHits       = 'h028;  // hit buffer, 64-bit pointer, 64-byte aligned
+  localparam int unsigned RegImageBytes = 'h034;  // size of each of the three windows, bytes
+  localparam int unsigned RegFrameBytes = 'h03c;
+  localparam int unsigned RegHitsBytes  = 'h044;
+  localparam int unsigned RegFrameSize  = 'h04c;  // width | height << 16, 1 to 4096 each
+  localparam int unsigned RegOptions    = 'h054;  // see the Option bits
+  localparam int unsigned RegWindowMin  = 'h05c;  // x0 | y0 << 16: the first pixel rendered
+  localparam int unsigned RegWindowMax  = 'h064;  // x1 | y1 << 16: one past the last; 0: the frame
+
+  // Read only.
+  localparam int unsigned RegVersion    = 'h080;  // major << 16 | minor << 8 | patch
+  localparam int unsigned RegConfig     = 'h084;  // lanes | contexts << 8 | tile size << 16
+  localparam int unsigned RegParameters = 'h088;  // ImageParameters of this build
+  localparam int unsigned RegError      = 'h08c;  // error_t of the last job
+
+  // Counters of the last job, 64 bits each, low word first.
+  localparam int unsigned RegCounters     = 'h100;
+  localparam int unsigned CntCycles       = 0;   // accepted start to done
+  localparam int unsigned CntTests        = 1;   // ray/primitive tests
+  localparam int unsigned CntRays         = 2;   // rays that entered a lane
+  localparam int unsigned CntHits         = 3;   // rays that hit
+  localparam int unsigned CntCandidates   = 4;   // tests accepted by the exact test
+  localparam int unsigned CntBatches      = 5;   // passes over the primitive buffer
+  localparam int unsigned CntTestStalls   = 6;   // cycles in which a test waited for a lane
+  localparam int unsigned CntFetchStalls  = 7;   // cycles in which a test waited for a primitive
+  localparam int unsigned CntAttrHits     = 8;   // attribute cache
+  localparam int unsigned CntAttrMisses   = 9;
+  localparam int unsigned CntReadBeats    = 10;
+  localparam int unsigned CntWriteBeats   = 11;
+  localparam int unsigned Counters        = 12;
+
+  // Bits of RegControl.
+  localparam int unsigned CtrlStart       = 0;
+  localparam int unsigned CtrlDone        = 1;   // cleared by reading
+  localparam int unsigned CtrlIdle        = 2;
+  localparam int unsigned CtrlReady       = 3;   // cleared by reading
+  localparam int unsigned CtrlAutoRestart = 7;
+  localparam int unsigned CtrlInterrupt   = 9;   // level of the interrupt pin
+  // Bits of RegIer and RegIsr.
+  localparam int unsigned IsrDone  = 0;
+  localparam int unsigned IsrReady = 1;
+  // Bits of RegOptions.
+  localparam int unsigned OptionHits   = 0;      // write the hit buffer
+  localparam int unsigned OptionZOrder = 1;      // walk the tiles along a Z curve
+endpackage

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A first-in first-out queue of Depth places in distributed memory. One item in and one out each
+// cycle; an item is visible the cycle after it entered; ready does not depend on ready_i.
+module stream_fifo #(
+  parameter type         data_t = logic [31:0],
+  parameter int unsigned Depth  = 8
+) (
+  input  logic  clk_i,
+  input  logic  rst_ni,
+
+  input  logic  valid_i,
+  output logic  ready_o,
+  input  data_t data_i,
+
+  output logic  valid_o,
+  input  logic  ready_i,
+  output data_t data_o,
+
+  output logic [$clog2(Depth+1)-1:0] used_o
+);
+  if (Depth < 2) begin : g_check
+    $error("stream_fifo: Depth must be at least 2");
+  end
+
+  localparam int unsigned PtrW = $clog2(Depth);
+  localparam int unsigned CntW = $clog2(Depth + 1);
+  localparam logic [PtrW-1:0] Last = PtrW'(Depth - 1);
+
+  data_t mem_q [Depth];
+  logic [PtrW-1:0] head_q, tail_q;
+  logic [CntW-1:0] used_q;
+  logic push, pop;
+
+  assign ready_o = used_q != CntW'(Depth);
+  assign valid_o = used_q != '0;
+  assign data_o  = mem_q[head_q];
+  assign used_o  = used_q;
+  assign push    = valid_i && ready_o;
+  assign pop     = valid_o && ready_i;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      head_q <= '0;
+      tail_q <= '0;
+      used_q <= '0;
+    end else begin
+      if (pop) head_q <= (head_q == Last) ? '0 : head_q + 1'b1;
+      if (push) tail_q <= (tail_q == Last) ? '0 : tail_q + 1'b1;
+      if (push != pop) used_q <= push ? used_q + 1'b1 : used_q - 1'b1;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (push) mem_q[tail_q] <= data_i;
+  end
+endmodule

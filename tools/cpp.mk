@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+# The C++ side: one library of the model and the host, one test binary a file under tb/.
+LIB_SOURCES := $(shell find cpp_model -name '*.cpp' | sort)
+LIB_OBJECTS := $(LIB_SOURCES:%.cpp=$(BUILD)/obj/%.o)
+LIB         := $(BUILD)/libcastray.a
+
+$(BUILD)/obj/%.o: %.cpp $(RECORDS)
+	@mkdir -p $(@D)
+	@echo "  CXX   $<"
+	@$(CXX) $(CXXFLAGS) -c $< -o $@
+
+$(LIB): $(LIB_OBJECTS)
+	@rm -f $@
+	@ar rcs $@ $^
+
+$(BUILD)/obj/verilated/%.o: $(VERILATOR_ROOT)/include/%.cpp
+	@mkdir -p $(@D)
+	@$(CXX) -std=c++20 -O2 -I$(VERILATOR_ROOT)/include -I$(VERILATOR_ROOT)/include/vltstd -DVM_TRACE=0 -c $< -o $@
+VERILATED_OBJ := $(BUILD)/obj/verilated/verilated.o $(BUILD)/obj/verilated/verilated_threads.o
+
+LIBS      := -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -latomic -lpthread
+TEST_LIBS := -lgtest_main -lgtest $(LIBS)
+
+# tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated
+# model; a comment line "// Verilator: <flags>" in the test adds flags. Else it is a test of C++ only.
+TESTS       := $(shell find tb -name '*_test.cpp' | sort)
+UNIT_TESTS  := $(foreach t,$(TESTS),$(if $(wildcard $(t:tb/%_test.cpp=rtl/%.sv) $(t:%_test.cpp=%_tb.sv)),$(t)))
+MODEL_TESTS := $(filter-out $(UNIT_TESTS),$(TESTS))
+
+define unit_test
+$(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES)
+	@echo "  VERILATE $(1)"
+	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(shell sed -n 's,^// Verilator: ,,p' tb/$(1)_test.cpp),-O2)
+-include $(BUILD)/unit/$(1)/V$(notdir $(1))__ver.d
+$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a $(LIB) $(VERILATED_OBJ)
+	@echo "  TEST  $(1)"
+	@$(CXX) $(CXXFLAGS) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/unit/$(1) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS)
+endef
+$(foreach t,$(UNIT_TESTS),$(eval $(call unit_test,$(t:tb/%_test.cpp=%))))
+
+$(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(LIB)
+	@mkdir -p $(@D)
+	@echo "  TEST  $*"
+	@$(CXX) $(CXXFLAGS) -Itb/common $(filter %.cpp %.a,$^) -o $@ $(TEST_LIBS)
+
+ALL_TESTS := $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)

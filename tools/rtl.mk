@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: Apache-2.0
+# What is derived from the RTL: file lists, the C++ records, lint, and one verilated unit a test.
+RTL      := $(shell grep -v '^//' rtl/castray.f)
+PACKAGES := $(filter rtl/pkg/%,$(RTL))
+MODULES  := $(filter-out rtl/pkg/%,$(RTL))
+RTL_DIRS := $(sort $(dir $(MODULES)))
+
+RECORDS := $(BUILD)/gen/castray_records.hpp
+$(RECORDS): tools/sv_records.py $(PACKAGES)
+	@python3 tools/sv_records.py $(PACKAGES) -o $@
+
+# -fno-const-bit-op-tree: Verilator 5.006 miscompiles some XOR trees without it (docs/toolchain.md).
+VERILATOR       := verilator
+VERILATOR_FLAGS := -Wall -fno-const-bit-op-tree --x-initial unique --x-assign unique --assert \
+                   $(addprefix -y ,$(RTL_DIRS)) tools/waivers.vlt $(PACKAGES)
+VERILATOR_ROOT  ?= $(shell verilator --getenv VERILATOR_ROOT)
+VERILATED_INC   := -isystem $(VERILATOR_ROOT)/include -isystem $(VERILATOR_ROOT)/include/vltstd
+
+# verilate(unit,output folder,source folder of a wrapper,extra flags): V<unit>.h and V<unit>__ALL.a.
+# A test bench wrapper tb/<folder>/<unit>_tb.sv, where there is one, is the top instead of the unit.
+define verilate
+	@mkdir -p $(2)
+	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(4) --prefix V$(1) --Mdir $(2) --MMD \
+	  --top-module $(if $(wildcard $(3)/$(1)_tb.sv),$(1)_tb $(3)/$(1)_tb.sv,$(1) $(shell grep -h '/$(1)\.sv$$' rtl/castray.f))
+	@MAKEFLAGS= make -s -C $(2) -f V$(1).mk V$(1)__ALL.a CXX=$(CXX) OPT_FAST="$(5)" OPT_SLOW="-O0" OPT_GLOBAL="-O2" > /dev/null
+	@touch $(2)/V$(1)__ALL.a
+endef
+
+# Lint: every module as its own top.
+LINTS := $(MODULES:rtl/%.sv=$(BUILD)/lint/%.ok)
+$(BUILD)/lint/%.ok: rtl/%.sv $(RTL) tools/waivers.vlt
+	@mkdir -p $(@D)
+	@$(VERILATOR) --lint-only $(VERILATOR_FLAGS) --top-module $(basename $(notdir $<)) $<
+	@touch $@
