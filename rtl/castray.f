@@ -7,3 +7,9 @@ rtl/prim/pipe_stage.sv
 rtl/prim/pipe_cut.sv
 rtl/prim/stream_fifo.sv
 rtl/prim/stream_arb.sv
+rtl/prim/credit.sv
+rtl/prim/stream_fork.sv
+rtl/traverse/ray_dispatch.sv
+rtl/traverse/brute_walk.sv
+rtl/traverse/ray_store.sv
+rtl/traverse/nearest.sv

@@ -73,9 +73,11 @@ template <class V> class Dut {
   }
 
   void reset(int cycles = 4) {
-    top_->rst_ni = 0;
-    for (int i = 0; i < cycles; ++i) tick();
-    top_->rst_ni = 1;
+    if constexpr (requires(V& v) { v.rst_ni; }) {
+      top_->rst_ni = 0;
+      for (int i = 0; i < cycles; ++i) tick();
+      top_->rst_ni = 1;
+    }
     top_->eval();
   }
 

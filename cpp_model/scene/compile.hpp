@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiles a scene to the scene image: the bytes that the core and its model read.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "castray_records.hpp"
+#include "scene/scene.hpp"
+
+namespace castray {
+
+struct SceneImage {
+  std::vector<std::uint8_t> bytes;
+  image_header_t header;   // as in the bytes
+  frame_record_t frame;    // as in the bytes
+  std::size_t dropped_triangles = 0;  // degenerate on the grid: their numbers stay unused
+  std::size_t dropped_spheres = 0;    // of radius zero on the grid
+  std::vector<std::string> warnings;  // one line each
+
+  double step() const;  // scene units of one grid step
+};
+
+// The finest grid on which scene and camera fit, the primitives, attributes and frame record.
+// Throws SceneError when a number is out of range, or the frame's size is not 1 to 4096.
+SceneImage compile(const Scene& scene, int width, int height);
+
+// Writes the frame record anew: camera, paint, pixel format and size of `scene`, nothing else of it.
+// Throws SceneError when the eye lies outside the image's grid.
+void set_frame(SceneImage& image, const Scene& scene, int width, int height);
+
+// Distance in scene units of a hit record's t at a pixel.
+double scene_distance(const SceneImage& image, int x, int y, std::int64_t t);
+
+}  // namespace castray

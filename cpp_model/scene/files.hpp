@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole files, in and out.
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace castray {
+
+// Throws SceneError when the file is missing, a folder, or cannot be read.
+std::string read_file(const std::filesystem::path& path);
+
+// Written beside its place and then moved there: no partial file is left. Throws SceneError.
+void write_file(const std::filesystem::path& path, const std::string& bytes);
+
+}  // namespace castray

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts items under way in units that cannot refuse their results: an item may enter while fewer
+// than Limit are inside. take_i must not be raised while available_o is low.
+module credit #(
+  parameter int unsigned Limit = 16,
+  parameter int unsigned Gives = 1    // how many ways there are to leave
+) (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+
+  input  logic             take_i,
+  input  logic [Gives-1:0] give_i,
+  output logic             available_o,
+  output logic             idle_o
+);
+  localparam int unsigned CntW = $clog2(Limit + Gives + 1);
+  logic [CntW-1:0] used_q, used_d;
+
+  assign available_o = used_q < CntW'(Limit);
+  assign idle_o      = used_q == '0;
+
+  always_comb begin
+    used_d = used_q + CntW'(take_i);
+    for (int unsigned i = 0; i < Gives; i++) used_d = used_d - CntW'(give_i[i]);
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) used_q <= '0;
+    else used_q <= used_d;
+  end
+endmodule

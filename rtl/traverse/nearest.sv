@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nearest hit of each context. A result replaces what is held if its distance is smaller, or
+// equal with a lower primitive number: the outcome does not depend on the order of the results.
+// A new ray starts with its tmax and number 0, so a hit at exactly tmax is none.
+// One new ray or one result a cycle (never both); reads are combinational.
+// Model: cpp_model/traverse/nearest.hpp, equal bit for bit.
+module nearest
+  import castray_cfg_pkg::*;
+  import castray_pkg::*;
+#(
+  parameter int unsigned Contexts = 32,
+  localparam int unsigned IdxW = (Contexts > 1) ? $clog2(Contexts) : 1
+) (
+  input  logic            clk_i,
+
+  input  logic            start_i,        // a new ray in start_ctx_i
+  input  logic [IdxW-1:0] start_ctx_i,
+  input  t_t              tmax_i,
+
+  input  logic            result_valid_i,
+  input  result_t         result_i,
+
+  input  logic [IdxW-1:0] out_ctx_i,
+  output logic            out_found_o,
+  output result_t         out_o
+);
+  typedef struct packed {
+    logic  found;
+    logic  kind;
+    prim_t number;
+    t_t    t;
+  } key_t;
+
+  key_t  key_q [Contexts];
+  bary_t u_q   [Contexts];
+  bary_t v_q   [Contexts];
+
+  logic [IdxW-1:0] at;
+  key_t            held;
+  logic signed [CoordW+TFrac:0] t_held, t_new;
+  logic            nearer, write;
+
+  assign at     = start_i ? start_ctx_i : IdxW'(result_i.ctx);
+  assign held   = key_q[at];
+  assign t_held = held.t;
+  assign t_new  = result_i.t;
+  assign nearer = t_new < t_held || (t_new == t_held && result_i.number < held.number);
+  assign write  = result_valid_i && nearer && !start_i;
+
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      key_q[at] <= '{found: 1'b0, kind: KindTriangle, number: '0, t: tmax_i};
+    end else if (write) begin
+      key_q[at] <= '{found: 1'b1, kind: result_i.kind, number: result_i.number, t: result_i.t};
+      u_q[at]   <= result_i.u;
+      v_q[at]   <= result_i.v;
+    end
+  end
+
+  key_t out_key;
+  assign out_key     = key_q[out_ctx_i];
+  assign out_found_o = out_key.found;
+  assign out_o = '{
+    ctx: CtxW'(out_ctx_i), number: out_key.number, kind: out_key.kind, t: out_key.t,
+    u: u_q[out_ctx_i], v: v_q[out_ctx_i]
+  };
+endmodule

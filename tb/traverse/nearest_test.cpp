@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nearest hit: the smallest (distance, number) of a ray's results, in whatever order they come.
+#include "traverse/nearest.hpp"
+
+#include "Vnearest.h"
+#include "dut.hpp"
+
+namespace castray::tb {
+namespace {
+
+constexpr int kContexts = 32;
+
+class NearestUnit : public testing::Test {
+ protected:
+  void start(int ctx, t_t tmax) {
+    dut_->start_i = 1;
+    dut_->start_ctx_i = ctx;
+    dut_->tmax_i = tmax;
+    dut_->result_valid_i = 0;
+    dut_.tick();
+    dut_->start_i = 0;
+  }
+  void offer(const result_t& result) {
+    dut_->result_valid_i = 1;
+    set_port(dut_->result_i, result);
+    dut_.tick();
+    dut_->result_valid_i = 0;
+  }
+  void expect(int ctx, const Nearest& model) {
+    dut_->out_ctx_i = ctx;
+    dut_.settle();
+    ASSERT_EQ(dut_->out_found_o, model.found());
+    if (!model.found()) return;
+    const auto got = get_port<result_t>(dut_->out_o);
+    EXPECT_EQ(to_text(got), to_text(model.best()));
+  }
+  Dut<Vnearest> dut_;
+};
+
+result_t result(int ctx, t_t t, prim_t number) {
+  result_t r;
+  r.ctx = ctx;
+  r.t = t;
+  r.number = number;
+  r.u = number * 3 % 1000;
+  r.v = number * 7 % 1000;
+  r.kind = number & 1;
+  return r;
+}
+
+TEST_F(NearestUnit, TieGoesToTheLowerNumberInEitherOrder) {
+  for (const bool low_first : {true, false}) {
+    start(5, TMax);
+    Nearest model(TMax);
+    for (const prim_t number : {low_first ? 10u : 11u, low_first ? 11u : 10u}) {
+      offer(result(5, 1000, number));
+      model.offer(result(5, 1000, number));
+    }
+    EXPECT_EQ(model.best().number, 10u);
+    expect(5, model);
+  }
+}
+
+TEST_F(NearestUnit, AHitAtTmaxIsNone) {
+  start(0, 500);
+  offer(result(0, 500, 0));
+  expect(0, Nearest(500));
+  offer(result(0, 499, 9));
+  Nearest model(500);
+  model.offer(result(0, 499, 9));
+  expect(0, model);
+}
+
+TEST_F(NearestUnit, NegativeDistancesAreNearer) {
+  start(1, TMax);
+  Nearest model(TMax);
+  for (const t_t t : {t_t{5}, t_t{-3}, t_t{-TMax - 1}, t_t{0}}) {
+    offer(result(1, t, 4));
+    model.offer(result(1, t, 4));
+  }
+  EXPECT_EQ(model.best().t, -TMax - 1);
+  expect(1, model);
+}
+
+TEST_F(NearestUnit, MatchesModelOverAllContexts) {
+  std::mt19937 rng(11);
+  std::vector<Nearest> model(kContexts, Nearest(0));
+  for (int ctx = 0; ctx < kContexts; ++ctx) start(ctx, 0), model[ctx] = Nearest(0);
+  for (int i = 0; i < 20000; ++i) {
+    const int ctx = rng() % kContexts;
+    if (rng() % 50 == 0) {
+      const t_t tmax = rng() % 3 ? TMax : static_cast<t_t>(rng() % 64);
+      start(ctx, tmax);
+      model[ctx] = Nearest(tmax);
+    } else {
+      const result_t r = result(ctx, static_cast<t_t>(rng() % 64) - 8, rng() % 8);
+      offer(r);
+      model[ctx].offer(r);
+    }
+    const int seen = rng() % kContexts;
+    expect(seen, model[seen]);
+  }
+}
+
+}  // namespace
+}  // namespace castray::tb
