@@ -19,10 +19,12 @@ $(BUILD)/obj/verilated/%.o: $(VERILATOR_ROOT)/include/%.cpp
 VERILATED_OBJ := $(BUILD)/obj/verilated/verilated.o $(BUILD)/obj/verilated/verilated_threads.o
 
 LIBS      := -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -latomic -lpthread
-TEST_LIBS := -lgtest_main -lgtest $(LIBS)
+TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
 
 # tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated
 # model; a comment line "// Verilator: <flags>" in the test adds flags. Else it is a test of C++ only.
+# The models of units are headers; only the tests of whole frames, scenes, references and the
+# simulator are linked to the library.
 TESTS       := $(shell find tb -name '*_test.cpp' | sort)
 UNIT_TESTS  := $(foreach t,$(TESTS),$(if $(wildcard $(t:tb/%_test.cpp=rtl/%.sv) $(t:%_test.cpp=%_tb.sv)),$(t)))
 MODEL_TESTS := $(filter-out $(UNIT_TESTS),$(TESTS))
@@ -32,15 +34,19 @@ $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard 
 	@echo "  VERILATE $(1)"
 	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(shell sed -n 's,^// Verilator: ,,p' tb/$(1)_test.cpp),-O2)
 -include $(BUILD)/unit/$(1)/V$(notdir $(1))__ver.d
-$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a $(LIB) $(VERILATED_OBJ)
+$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a $(VERILATED_OBJ) $(RECORDS)
 	@echo "  TEST  $(1)"
 	@$(CXX) $(CXXFLAGS) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/unit/$(1) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS)
 endef
 $(foreach t,$(UNIT_TESTS),$(eval $(call unit_test,$(t:tb/%_test.cpp=%))))
 
-$(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(LIB)
+LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,frame scene reference sim)),$(MODEL_TESTS))
+$(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)
+$(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(RECORDS)
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
-	@$(CXX) $(CXXFLAGS) -Itb/common $(filter %.cpp %.a,$^) -o $@ $(TEST_LIBS)
+	@$(CXX) $(CXXFLAGS) -Itb/common $(filter %.cpp %.a,$^) -o $@ $(TEST_LIBS) $(if $(filter %.a,$^),$(LIBS))
+
+-include $(LIB_OBJECTS:.o=.d) $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test.d)
 
 ALL_TESTS := $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)
