@@ -13,3 +13,9 @@ rtl/traverse/ray_dispatch.sv
 rtl/traverse/brute_walk.sv
 rtl/traverse/ray_store.sv
 rtl/traverse/nearest.sv
+rtl/axi/axi_lite_regs.sv
+rtl/axi/axi_reader.sv
+rtl/axi/axi_writer.sv
+rtl/mem/job_loader.sv
+rtl/control/job_control.sv
+rtl/control/counters.sv

@@ -28,10 +28,16 @@ Stalls::Stalls(const std::string& name, std::uint64_t seed) : name_(name), rando
 
 unsigned Stalls::run_length() { return 1 + static_cast<unsigned>(random_() % 47); }
 
+// Nearly every turn falls to the channel that was blocked least, so that a busy one gets its share.
 void Stalls::turn() {
   if (left_[0]-- > 0) return;
+  std::size_t next = random_() % kChannels;
+  if (random_() % 16 != 0) {
+    for (std::size_t i = 0; i < kChannels; ++i)
+      if (shares_[i].wanted > 0 && shares_[i].share() < shares_[next].share()) next = i;
+  }
   open_.fill(true);
-  open_[random_() % kChannels] = false;
+  open_[next] = false;
   left_[0] = 31 + static_cast<unsigned>(random_() % 129);
 }
 

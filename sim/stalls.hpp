@@ -3,7 +3,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <random>
 #include <string>
 #include <string_view>
@@ -42,10 +41,10 @@ class Stalls {
 
   // Decides the next cycle.
   void advance();
-  // Counts a cycle in which the channel was wanted.
-  void wanted(Channel channel) {
+  // Counts a cycle in which the channel was wanted, and whether it was blocked in it.
+  void wanted(Channel channel, bool blocked) {
     ++shares_[channel].wanted;
-    shares_[channel].blocked += !open_[channel];
+    shares_[channel].blocked += blocked;
   }
   const std::array<StallShare, kChannels>& shares() const { return shares_; }
 

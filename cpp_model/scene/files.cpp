@@ -4,23 +4,26 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "scene/scene.hpp"
 
 namespace castray {
 
-std::string read_file(const std::filesystem::path& path) {
+void check_readable(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw SceneError(path.string(), "open", "no such file");
   if (std::filesystem::is_directory(status)) throw SceneError(path.string(), "open", "is a folder");
+  if (!std::ifstream(path, std::ios::binary)) throw SceneError(path.string(), "open", std::strerror(errno));
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  check_readable(path);
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw SceneError(path.string(), "open", std::strerror(errno));
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
+  std::string bytes(std::istreambuf_iterator<char>(in), {});
   if (in.bad()) throw SceneError(path.string(), "read", std::strerror(errno));
-  return std::move(bytes).str();
+  return bytes;
 }
 
 void write_file(const std::filesystem::path& path, const std::string& bytes) {

@@ -136,10 +136,8 @@ Mesh parse_geo(const std::string& text, const std::string& file) {
     throw SceneError(file, "normals and texture coordinates",
                      std::to_string(left) + " values follow the points, " + std::to_string(5 * corners) + " are needed for " +
                          counted(corners, "corner") + "; no other count fits " + counted(faces, "face") + " and " + counted(points, "point") + " either");
-  const bool normals_unclear = std::any_of(layout + 1, std::end(kLayouts), [&](const Layout& other) {
-    return values(other) == left && (count(other.normals) != count(layout->normals) || other.normals != layout->normals || other.tex != layout->tex);
-  });
-  if (normals_unclear) {
+  const bool several = std::any_of(layout + 1, std::end(kLayouts), [&](const Layout& other) { return values(other) == left; });
+  if (layout != std::begin(kLayouts) && several) {
     const auto name = [](Per per) { return per == Per::Corner ? "corner" : per == Per::Face ? "face" : "point"; };
     mesh.warnings.push_back(file + ": the number of values fits several layouts; taken as a normal for each " + name(layout->normals) +
                             " and texture coordinates for each " + name(layout->tex));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/text.hpp"

@@ -224,6 +224,7 @@ package castray_pkg;
     logic [12:0] y1;
     logic        want_hits;
     logic        z_order;       // tiles along a Z curve, else in rows
+    logic        illegal;       // a register held bits outside its field
   } job_t;
 
   typedef enum logic [7:0] {

@@ -3,7 +3,7 @@
 // each primitive is held still while the contexts of all lanes pass by it, one a cycle and lane;
 // then the lanes give out their hits. One fetched primitive serves every ray in flight, so no
 // lane needs a copy of the primitives.
-//   Fill   lanes take rays, until all are full or the source is exhausted
+//   Fill   lanes take rays, until all are full or no more can come
 //   Run    for each primitive, for each context: one test in every lane
 //   Drain  the last tests and divisions finish
 //   Emit   lanes give their hits
@@ -20,6 +20,7 @@ module brute_walk
 
   // Rays to come.
   input  logic             exhausted_i,
+  input  logic             starved_i,  // none can come before hits have left: tiles wait for them
   // Contexts in use of the first lane, which has the most, and the state of all lanes.
   input  logic [CtxW:0]    used_i,
   input  logic [Lanes-1:0] full_i,
@@ -65,7 +66,7 @@ module brute_walk
   assign prim_ready_o = phase_q == Run && (!held_q || (step && last));
 
   logic start;
-  assign start          = phase_q == Fill && !(&empty_i) && (&full_i || exhausted_i);
+  assign start          = phase_q == Fill && !(&empty_i) && (&full_i || exhausted_i || starved_i);
   assign reader_start_o = start;
   assign batch_o        = start;
   assign test_stall_o   = held_q && !step;

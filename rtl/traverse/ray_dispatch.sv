@@ -14,6 +14,7 @@ module ray_dispatch
 
   input  logic             issued_i,
   input  logic             walk_done_i,
+  output logic             none_in_setup_o,
   output logic             exhausted_o,
 
   input  logic             in_valid_i,
@@ -32,9 +33,10 @@ module ray_dispatch
     out_valid_o         = '0;
     out_valid_o[next_q] = in_valid_i;
   end
-  assign in_ready_o  = out_ready_i[next_q];
-  assign taken       = in_valid_i && in_ready_o;
-  assign exhausted_o = walk_done_i && under_way_q == '0;
+  assign in_ready_o = out_ready_i[next_q];
+  assign taken      = in_valid_i && in_ready_o;
+  assign none_in_setup_o = under_way_q == '0;
+  assign exhausted_o     = walk_done_i && none_in_setup_o;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

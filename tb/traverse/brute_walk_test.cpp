@@ -12,6 +12,7 @@ namespace {
 struct Bench {
   explicit Bench(double stall) : gate(stall, 1, 7) {
     dut->exhausted_i = 0;
+    dut->starved_i = 0;
     dut->used_i = 0;
     dut->full_i = 0;
     dut->quiet_i = 3;
@@ -91,6 +92,19 @@ TEST(BruteWalk, ATestACycleWithoutStalls) {
 TEST(BruteWalk, AnEmptyPrimitiveBufferEndsTheBatch) {
   Bench bench(0);
   expect_all_pairs(bench.batch(4, 0), 4, 0);
+}
+
+TEST(BruteWalk, StartsAPartBatchWhenTheWalkWaitsForItsOwnHits) {
+  Bench bench(0);
+  bench.dut->used_i = 3;
+  bench.dut->empty_i = 0;
+  bench.dut->starved_i = 1;
+  bench.dut.settle();
+  EXPECT_TRUE(bench.dut->reader_start_o);
+  bench.dut->empty_i = 3;
+  bench.dut.settle();
+  EXPECT_FALSE(bench.dut->reader_start_o) << "there is no ray to trace";
+  EXPECT_FALSE(bench.dut->idle_o) << "the walk goes on later";
 }
 
 TEST(BruteWalk, StartsAPartBatchOnlyWhenTheSourceIsExhausted) {

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the argument registers to the job, as rtl/axi/axi_lite_regs.sv latches it at the start.
+#pragma once
+#include <cstdint>
+
+#include "castray_records.hpp"
+
+namespace castray {
+
+// read(offset) gives the 32-bit register at a byte offset of castray_reg_pkg.
+template <class Read> job_t job_of_registers(Read&& read) {
+  const auto word = [&](std::int64_t offset) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(read(offset))); };
+  const std::uint64_t options = word(RegOptions), size = word(RegFrameSize);
+  const std::uint64_t min = word(RegWindowMin), max = word(RegWindowMax);
+  const auto pointer = [&](std::int64_t offset) { return word(offset) | (word(offset + 4) << 32); };
+  const auto low = [](std::uint64_t pair) { return pair & 0x1fff; };
+  const auto high = [](std::uint64_t pair) { return (pair >> 16) & 0x1fff; };
+  const std::uint64_t address = (std::uint64_t{1} << AddrW) - 1;
+
+  job_t job;
+  job.image = pointer(RegImage) & address;
+  job.frame = pointer(RegFrame) & address;
+  job.hits = pointer(RegHits) & address;
+  job.image_bytes = word(RegImageBytes);
+  job.frame_bytes = word(RegFrameBytes);
+  job.hits_bytes = word(RegHitsBytes);
+  job.width = low(size);
+  job.height = high(size);
+  job.x0 = low(min);
+  job.y0 = high(min);
+  job.x1 = max == 0 ? low(size) : low(max);
+  job.y1 = max == 0 ? high(size) : high(max);
+  job.want_hits = (options >> OptionHits) & 1;
+  job.z_order = (options >> OptionZOrder) & 1;
+
+  const std::uint64_t known = (std::uint64_t{1} << OptionHits) | (std::uint64_t{1} << OptionZOrder);
+  job.illegal = ((size | min | max) & 0xe000e000) != 0 || (options & ~known) != 0 || pointer(RegImage) > address ||
+                pointer(RegFrame) > address || (job.want_hits && pointer(RegHits) > address);
+  return job;
+}
+
+}  // namespace castray

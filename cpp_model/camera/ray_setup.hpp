@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mirrors rtl/camera/ray_setup.sv: the ray of a direction, its shear divided once and for all.
+#pragma once
+#include "isect/corner_delta.hpp"
+#include "math/divide.hpp"
+
+namespace castray {
+
+// num / den in Q1.26 below one, operands cut to ShearDivW bits. Needs |num| <= |den|, den != 0.
+inline std::int64_t shear_quotient(std::int64_t num, std::int64_t den) {
+  const auto magnitude = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
+  const int shift = msb(magnitude(den)) - static_cast<int>(ShearDivW - 1);
+  const auto cut = [&](std::uint64_t v) { return shift >= 0 ? v >> shift : v << -shift; };
+  const auto limit = (std::uint64_t{1} << ShearFrac) - 1;
+  const std::uint64_t q = div_nearest(cut(magnitude(num)), cut(magnitude(den)), static_cast<int>(ShearFrac));
+  const auto s = static_cast<std::int64_t>(q < limit ? q : limit);
+  return (num < 0) != (den < 0) ? -s : s;
+}
+
+inline ray_t ray_setup(const dir_t& dir, const camera_t& camera, const pixel_tag_t& tag) {
+  const auto magnitude = [](std::int64_t v) { return v < 0 ? -v : v; };
+  const std::int64_t mx = magnitude(dir.x), my = magnitude(dir.y), mz = magnitude(dir.z);
+  const bool valid = (mx | my | mz) != 0;
+
+  ray_t ray;
+  ray.axis = mx >= my && mx >= mz ? 0 : my >= mz ? 1 : 2;  // equal: the lowest; zero: 0
+  const auto [n0, n1, dom] = permute({dir.x, dir.y, dir.z}, ray.axis);
+  ray.tag = tag;
+  ray.org = camera.eye;
+  ray.sx = valid ? shear_quotient(n0, dom) : 0;
+  ray.sy = valid ? shear_quotient(n1, dom) : 0;
+  const std::int64_t one = std::int64_t{1} << (2 * ShearFrac);
+  ray.norm2 = static_cast<norm2_t>(round_shift(one + ray.sx * ray.sx + ray.sy * ray.sy, 2 * ShearFrac - NormFrac));
+  ray.neg = dom < 0;
+  ray.valid = valid;
+  ray.cull = 0;
+  ray.any_hit = 0;
+  ray.tmin = 0;
+  ray.tmax = TMax;
+  ray.ignore = NoPrim;
+  return ray;
+}
+
+}  // namespace castray

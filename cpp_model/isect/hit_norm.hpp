@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a candidate to two divisions: u and v of a triangle, or the near and the far distance of a
+// sphere. The quotient times `scale` is what each adds to the distance.
+#pragma once
+#include "fixed.hpp"
+
+namespace castray {
+
+struct quotient_job_t {
+  std::uint64_t num0 = 0, num1 = 0, den = 0;  // HitDivW bits, num <= den, den has its top bit set
+  std::int64_t scale0 = 0, scale1 = 0;        // steps (triangle), or +-2^k quarter steps (sphere)
+};
+
+// Bits [from, from + HitDivW) with the top one of `det` at HitDivW - 1: right shifts truncate.
+constexpr std::uint64_t norm_shift(std::uint64_t x, int top) {
+  return top >= HitDivW - 1 ? x >> (top - (HitDivW - 1)) : x << (HitDivW - 1 - top);
+}
+
+inline quotient_job_t hit_norm(const cand_t& cand) {
+  const int top = msb(cand.det | 1);
+  quotient_job_t job;
+  job.num0 = norm_shift(cand.u, top);
+  job.num1 = norm_shift(cand.v, top);
+  job.den = norm_shift(cand.det, top);
+  job.scale0 = wrap_signed(cand.az - cand.cz, CoordW + 1);
+  job.scale1 = wrap_signed(cand.bz - cand.cz, CoordW + 1);
+  return job;
+}
+
+}  // namespace castray

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// One ray against one primitive, exactly. RTL: rtl/isect/ray_prim.sv, equal bit for bit.
+#pragma once
+#include <cstdlib>
+
+#include "isect/accept.hpp"
+#include "isect/sphere_disc.hpp"
+
+namespace castray {
+
+// True, with `out` filled, if the ray's line meets the primitive; whether in front of the origin
+// is for hit_unit to say. An empty slot, a sphere of radius 0 or of 2^25 and more: never.
+inline bool ray_prim(const test_ray_t& ray, const prim_slot_t& prim, ctx_t ctx, cand_t& out) {
+  if (prim.number == NoPrim) return false;
+  if (prim.kind == KindTriangle) {
+    const delta3_t a = corner_delta(prim.a, ray.org, ray.axis);
+    const delta3_t b = corner_delta(prim.b, ray.org, ray.axis);
+    const delta3_t c = corner_delta(prim.c, ray.org, ray.axis);
+    const edge_fns_t e = edge_fns(shear(a, ray), shear(b, ray), shear(c, ray));
+    if (!accept(e, ray.neg, ray.cull)) return false;
+    out.u = static_cast<std::uint64_t>(std::llabs(e.u));
+    out.v = static_cast<std::uint64_t>(std::llabs(e.v));
+    out.det = static_cast<std::uint64_t>(std::llabs(e.u + e.v + e.w));
+    out.az = a.z;
+    out.bz = b.z;
+    out.cz = c.z;
+  } else {
+    const std::int64_t radius = static_cast<std::int64_t>(prim.b.x);
+    if (!radius_legal(prim.b.x)) return false;
+    const delta3_t c = corner_delta(prim.a, ray.org, ray.axis);
+    const sphere_disc_t s = sphere_disc(shear(c, ray), radius, ray);
+    if (!s.meets) return false;
+    out.u = out.v = 0;
+    out.det = static_cast<std::uint64_t>(s.disc);
+    out.az = s.towards;
+    out.bz = 0;
+    out.cz = c.z;
+  }
+  out.ctx = ctx;
+  out.number = prim.number;
+  out.kind = prim.kind;
+  return true;
+}
+
+}  // namespace castray

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Does the ray's line meet the sphere? X, Y: the sheared centre; R: the radius in steps.
+#pragma once
+#include "isect/shear.hpp"
+
+namespace castray {
+
+struct sphere_disc_t {
+  bool meets = false;
+  std::int64_t disc = 0;     // units of two square steps
+  std::int64_t towards = 0;  // X Sx + Y Sy, quarter steps
+};
+
+// |S| R in units of two steps, |S|^2 = norm2.
+inline std::int64_t reach(norm2_t norm2, std::int64_t radius) {
+  return round_shift(static_cast<std::int64_t>(norm2) * radius, NormFrac + 1);
+}
+
+inline bool radius_legal(std::uint64_t radius) { return radius > 0 && radius < (1u << (CoordW - 1)); }
+
+inline sphere_disc_t sphere_disc(const sheared2_t& c, std::int64_t radius, const test_ray_t& ray) {
+  const std::int64_t cross = round_shift(c.x * ray.sy - c.y * ray.sx, ShearFrac);  // two steps
+  if (!fits_signed(cross, CoordW + 1)) return {};
+  sphere_disc_t s;
+  s.disc = reach(ray.norm2, radius) * radius - 2 * (c.x * c.x + c.y * c.y) - 2 * cross * cross;
+  s.towards = round_shift(c.x * ray.sx + c.y * ray.sy, ShearFrac - 3);
+  s.meets = s.disc >= 0;
+  return s;
+}
+
+}  // namespace castray

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/json.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/text.hpp"
+
+namespace castray {
+
+double JsonValue::number(double least, double most) const {
+  const double x = number();
+  if (!(x >= least && x <= most)) fail(text_of(x) + " is not between " + text_of(least) + " and " + text_of(most));
+  return x;
+}
+
+int JsonValue::whole(int least, int most) const {
+  const double x = number();
+  if (x != std::floor(x)) fail(text_of(x) + " is not a whole number");
+  return static_cast<int>(number(least, most));
+}
+
+nlohmann::json parse_json(const std::string& text, const std::string& file) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    // "[json.exception...] parse error at line 3, column 7: syntax error while ..."
+    const std::string message = one_line(error.what());
+    const std::size_t at = message.find("at line ");
+    const std::size_t colon = at == std::string::npos ? at : message.find(": ", at);
+    if (colon == std::string::npos) throw SceneError(file, "JSON", message);
+    throw SceneError(file, message.substr(at + 3, colon - at - 3), message.substr(colon + 2));
+  }
+}
+
+}  // namespace castray

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/load.hpp"
+
+#include "scene/files.hpp"
+#include "scene/scene_file.hpp"
+
+namespace castray {
+
+Scene load_scene(const std::filesystem::path& path) { return path.extension() == ".json" ? read_scene_file(path) : mesh_scene(path); }
+
+void save_scene(const Scene& scene, const std::filesystem::path& path) { write_file(path, scene_text(scene, path.parent_path())); }
+
+}  // namespace castray

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/mesh_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "scene/geo.hpp"
+#include "scene/import.hpp"
+
+namespace castray {
+namespace {
+
+std::string extension(const std::filesystem::path& path) {
+  std::string text = path.extension().string();
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+bool is_mesh_file(const std::filesystem::path& path) {
+  const auto known = {".geo", ".obj", ".ply", ".stl", ".gltf", ".glb"};
+  return std::find(known.begin(), known.end(), extension(path)) != known.end();
+}
+
+Mesh read_mesh(const std::filesystem::path& path) {
+  if (!is_mesh_file(path))
+    throw SceneError(path.string(), "file name", "unknown format \"" + extension(path) + "\"; known are .geo .obj .ply .stl .gltf .glb");
+  return extension(path) == ".geo" ? read_geo(path) : import_mesh(path);
+}
+
+}  // namespace castray

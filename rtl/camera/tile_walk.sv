@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Walks over the pixels of a window in tiles: asks the gather for a place for each tile, and when
+// that is granted gives the tile's pixels row by row.
+//   Tiles are cut by the frame's grid of 2^TileLog2 pixels and clipped to the window.
+//   Rows: left to right, top to bottom. Z order: column and row of a tile, counted from the
+//   window's first, are the even and the odd bits of a code that counts up; codes outside the
+//   window are skipped, a whole aligned block at a time (code + its lowest one), so that at most
+//   22 cycles pass from one tile to the next.
+//   Slots: 0 to Slots-1 in turn.
+// One pixel a cycle, without a pause between tiles of 2 pixels and more (in rows).
+// done_o: a level, from after the last pixel was taken until the next start.
+// An empty window is done at once. Model: cpp_model/camera/tile_walk.hpp, same order.
+module tile_walk
+  import castray_pkg::*;
+#(
+  parameter int unsigned TileLog2 = 3,
+  parameter int unsigned Slots    = 16
+) (
+  input  logic       clk_i,
+  input  logic       rst_ni,
+
+  input  logic       start_i,
+  input  job_t       job_i,        // held from the start until done
+  output logic       done_o,
+
+  output logic       tile_valid_o,
+  input  logic       tile_ready_i,
+  output tile_t      tile_o,
+
+  output logic       out_valid_o,
+  input  logic       out_ready_i,
+  output pixel_tag_t out_o
+);
+  if (TileLog2 < 2 || TileLog2 > 4) begin : g_tile
+    $error("tile_walk: TileLog2 must be 2, 3 or 4");
+  end
+  if (Slots < 1 || Slots > 256) begin : g_slots
+    $error("tile_walk: Slots must be 1 to 256");
+  end
+
+  localparam int unsigned Size = 1 << TileLog2;
+  localparam int unsigned IdxW = $bits(pixel_t) - TileLog2;  // column or row of a tile
+  typedef logic [IdxW-1:0]   idx_t;
+  typedef logic [2*IdxW-1:0] code_t;
+
+  // ---- The window in tiles ----
+  idx_t first_col, first_row, last_col, last_row;   // last ones counted from the first
+  logic empty;
+  assign first_col = job_i.x0[11:TileLog2];
+  assign first_row = job_i.y0[11:TileLog2];
+  assign last_col  = last_index(job_i.x1) - first_col;
+  assign last_row  = last_index(job_i.y1) - first_row;
+  assign empty     = job_i.x0 >= job_i.x1 || job_i.y0 >= job_i.y1;
+
+  function automatic idx_t last_index(logic [12:0] limit);
+    logic [12:0] last;
+    last = limit - 1'b1;
+    return last[11:TileLog2];
+  endfunction
+
+  // ---- The next place: at_q is {row, column} or the Z code ----
+  code_t at_q, at_d, code;
+  logic  ended_q, ended_d;
+  idx_t  col, row;
+  logic  inside, step;
+
+  always_comb begin
+    for (int unsigned i = 0; i < IdxW; i++) begin
+      col[i] = job_i.z_order ? at_q[2*i] : at_q[i];
+      row[i] = job_i.z_order ? at_q[2*i+1] : at_q[IdxW+i];
+    end
+  end
+  assign inside = col <= last_col && row <= last_row;
+  assign code   = inside ? code_t'(1) : at_q & (~at_q + 1'b1);
+
+  always_comb begin
+    {ended_d, at_d} = {1'b0, at_q} + {1'b0, code};
+    if (!job_i.z_order) begin
+      at_d    = (col == last_col) ? {row + 1'b1, {IdxW{1'b0}}} : {row, col + 1'b1};
+      ended_d = col == last_col && row == last_row;
+    end
+  end
+
+  // ---- The tile offered to the gather ----
+  tile_t      tile_q;
+  logic       tile_valid_q;
+  logic [7:0] slot_q;
+  logic       granted;
+
+  function automatic pixel_t first_of(idx_t index, logic [12:0] low);
+    logic [12:0] start;
+    start = 13'({index, {TileLog2{1'b0}}});
+    return pixel_t'((start > low) ? start : low);
+  endfunction
+  function automatic logic [4:0] size_of(idx_t index, logic [12:0] low, logic [12:0] high);
+    logic [12:0] start, limit;
+    start = 13'({index, {TileLog2{1'b0}}});
+    limit = start + 13'(Size);
+    return 5'(((limit < high) ? limit : high) - ((start > low) ? start : low));
+  endfunction
+  function automatic tile_t tile_at(idx_t tile_col, idx_t tile_row, job_t job, logic [7:0] slot);
+    return '{
+      x: first_of(tile_col, job.x0), width: size_of(tile_col, job.x0, job.x1),
+      y: first_of(tile_row, job.y0), height: size_of(tile_row, job.y0, job.y1), slot: slot
+    };
+  endfunction
+
+  assign step = !ended_q && (!tile_valid_q || granted);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      ended_q      <= 1'b1;
+      tile_valid_q <= 1'b0;
+    end else if (start_i) begin
+      ended_q      <= empty;
+      tile_valid_q <= 1'b0;
+    end else begin
+      if (step) ended_q <= ended_d;
+      if (step || granted) tile_valid_q <= step && inside;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      at_q   <= '0;
+      slot_q <= '0;
+    end else if (step) begin
+      at_q <= at_d;
+      if (inside) begin
+        tile_q <= tile_at(first_col + col, first_row + row, job_i, slot_q);
+        slot_q <= (slot_q == 8'(Slots - 1)) ? '0 : slot_q + 1'b1;
+      end
+    end
+  end
+
+  // ---- The granted tile waits until the one before has given its pixels ----
+  tile_t wait_tile;
+  logic  wait_ready, wait_valid, next;
+  assign tile_valid_o = tile_valid_q && !wait_valid;
+  assign tile_o       = tile_q;
+  assign granted      = tile_valid_o && tile_ready_i;
+  pipe_stage #(.data_t(tile_t)) u_wait (
+    .clk_i, .rst_ni(rst_ni && !start_i),
+    .valid_i(granted), .ready_o(wait_ready), .data_i(tile_q),
+    .valid_o(wait_valid), .ready_i(next), .data_o(wait_tile)
+  );
+
+  // ---- Its pixels ----
+  logic       active_q, last_x, last_y;
+  pixel_tag_t pixel_q;
+  pixel_t     first_x_q;
+  logic [4:0] width_q, left_x_q, left_y_q;   // left: pixels and rows to come behind this one
+
+  assign last_x      = left_x_q == '0;
+  assign last_y      = left_y_q == '0;
+  assign next        = !active_q || (out_ready_i && last_x && last_y);
+  assign out_valid_o = active_q;
+  assign out_o       = pixel_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || start_i) active_q <= 1'b0;
+    else if (next) active_q <= wait_valid;
+  end
+  always_ff @(posedge clk_i) begin
+    if (next && wait_valid) begin
+      first_x_q <= wait_tile.x;
+      width_q   <= wait_tile.width;
+      pixel_q   <= '{slot: wait_tile.slot, y: wait_tile.y, x: wait_tile.x};
+      left_x_q  <= wait_tile.width - 1'b1;
+      left_y_q  <= wait_tile.height - 1'b1;
+    end else if (active_q && out_ready_i) begin
+      pixel_q.x <= last_x ? first_x_q : pixel_q.x + 1'b1;
+      left_x_q  <= last_x ? width_q - 1'b1 : left_x_q - 1'b1;
+      if (last_x) begin
+        pixel_q.y <= pixel_q.y + 1'b1;
+        left_y_q  <= left_y_q - 1'b1;
+      end
+    end
+  end
+
+  logic started_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) started_q <= 1'b0;
+    else if (start_i) started_q <= 1'b1;
+  end
+  assign done_o = started_q && ended_q && !tile_valid_q && !wait_valid && !active_q;
+endmodule

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Does the ray pass through the triangle? If so, the magnitudes that the hit unit divides.
+//   s1  the three signs are equal, and det = U + V + W is not zero    |U|, |V|, |W|
+//   s2  |det| = |U| + |V| + |W|
+// Zeros take their sign from a strict order of the corners around the triangle, so all three can
+// be zero with equal signs only where the corners coincide: det is zero with equal signs exactly
+// if point_i. Seen from the ray's origin a front (counter-clockwise) has det > 0 for a ray along
+// +z, det < 0 for one along -z; others are dropped if cull_i.
+// One triangle a cycle, two cycles, never stalls; only an accepted one moves further.
+// Model: cpp_model/isect/accept.hpp, equal bit for bit.
+module accept (
+  input  logic               clk_i,
+  input  logic               rst_ni,
+
+  input  logic               valid_i,
+  input  logic               neg_i,
+  input  logic               cull_i,
+  input  logic signed [54:0] u_i,
+  input  logic signed [54:0] v_i,
+  input  logic signed [54:0] w_i,
+  input  logic               u_neg_i,
+  input  logic               v_neg_i,
+  input  logic               w_neg_i,
+  input  logic               point_i,
+
+  output logic               valid_o,
+  output logic        [54:0] u_o,
+  output logic        [54:0] v_o,
+  output logic        [55:0] det_o
+);
+  logic        valid1_q;
+  logic [54:0] u1_q, v1_q, w1_q;
+  logic        accepted;
+
+  assign accepted = valid_i && (u_neg_i == v_neg_i) && (v_neg_i == w_neg_i) && !point_i
+                    && !(cull_i && (u_neg_i != neg_i));
+
+  function automatic logic [54:0] magnitude(logic signed [54:0] x, logic negative);
+    return negative ? -x : x;
+  endfunction
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid1_q <= 1'b0;
+      valid_o  <= 1'b0;
+    end else begin
+      valid1_q <= accepted;
+      valid_o  <= valid1_q;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (accepted) begin
+      u1_q <= magnitude(u_i, u_neg_i);
+      v1_q <= magnitude(v_i, u_neg_i);
+      w1_q <= magnitude(w_i, u_neg_i);
+    end
+    if (valid1_q) begin
+      u_o   <= u1_q;
+      v_o   <= v1_q;
+      det_o <= 56'(u1_q) + 56'(v1_q) + 56'(w1_q);
+    end
+  end
+endmodule

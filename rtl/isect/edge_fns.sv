@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The three edge functions of a sheared triangle, and on which side of each edge the ray lies:
+//   U = Cx By - Cy Bx    V = Ax Cy - Ay Cx    W = Bx Ay - By Ax     units of four square steps
+//   s1-s3  the six products   exact, 54 bits     12 DSPs
+//   s4     U, V, W            exact, 55 bits; their signs
+// The sign of a zero is decided by moving the ray by (e, e^2): that of U is then the sign of
+// Cy - By, or, where that is zero too, of Bx - Cx: corners are ranked by y, then by descending x,
+// and U's sign says whether C ranks above B. An edge so belongs to exactly one of its triangles.
+// point_o: the three sheared corners coincide.
+// One triangle a cycle, four cycles, never stalls; en_i[k]: stage k + 1 takes an item, fns_en_i:
+// the last one takes a triangle. A sphere uses the same multipliers, its operands put in the
+// corners' places; p*_o are the products of s3. square_i: the first two products are Ax Ax, Ay Ay.
+// Model: cpp_model/isect/edge_fns.hpp, equal bit for bit.
+module edge_fns
+  import castray_pkg::*;
+(
+  input  logic               clk_i,
+
+  input  logic [2:0]         en_i,
+  input  logic               fns_en_i,
+  input  logic               square_i,
+  input  sheared_t           ax_i,
+  input  sheared_t           ay_i,
+  input  sheared_t           bx_i,
+  input  sheared_t           by_i,
+  input  sheared_t           cx_i,
+  input  sheared_t           cy_i,
+
+  output logic signed [53:0] p_cxby_o,
+  output logic signed [53:0] p_cybx_o,
+  output logic signed [53:0] p_axcy_o,
+  output logic signed [53:0] p_aycx_o,
+  output logic signed [53:0] p_bxay_o,
+  output logic signed [53:0] p_byax_o,
+
+  output logic signed [54:0] u_o,
+  output logic signed [54:0] v_o,
+  output logic signed [54:0] w_o,
+  output logic               u_neg_o,
+  output logic               v_neg_o,
+  output logic               w_neg_o,
+  output logic               point_o
+);
+  mul27 u_cxby (.clk_i, .en_i, .a_i(square_i ? ax_i : cx_i), .b_i(square_i ? ax_i : by_i), .p_o(p_cxby_o));
+  mul27 u_cybx (.clk_i, .en_i, .a_i(square_i ? ay_i : cy_i), .b_i(square_i ? ay_i : bx_i), .p_o(p_cybx_o));
+  mul27 u_axcy (.clk_i, .en_i, .a_i(ax_i), .b_i(cy_i), .p_o(p_axcy_o));
+  mul27 u_aycx (.clk_i, .en_i, .a_i(ay_i), .b_i(cx_i), .p_o(p_aycx_o));
+  mul27 u_bxay (.clk_i, .en_i, .a_i(bx_i), .b_i(ay_i), .p_o(p_bxay_o));
+  mul27 u_byax (.clk_i, .en_i, .a_i(by_i), .b_i(ax_i), .p_o(p_byax_o));
+
+  // Does the first corner rank above the second?
+  function automatic logic above(sheared_t x0, sheared_t y0, sheared_t x1, sheared_t y1);
+    return {~y0[$bits(sheared_t)-1], y0[$bits(sheared_t)-2:0], x0[$bits(sheared_t)-1], ~x0[$bits(sheared_t)-2:0]}
+         > {~y1[$bits(sheared_t)-1], y1[$bits(sheared_t)-2:0], x1[$bits(sheared_t)-1], ~x1[$bits(sheared_t)-2:0]};
+  endfunction
+
+  // Is p - q negative, a zero taken as the sign says?
+  function automatic logic negative(logic signed [53:0] p, logic signed [53:0] q, logic up);
+    return up ? p < q : p <= q;
+  endfunction
+
+  logic u_up1_q, v_up1_q, w_up1_q, u_up2_q, v_up2_q, w_up2_q, u_up3_q, v_up3_q, w_up3_q;
+
+  always_ff @(posedge clk_i) begin
+    if (en_i[0]) begin
+      u_up1_q <= above(cx_i, cy_i, bx_i, by_i);
+      v_up1_q <= above(ax_i, ay_i, cx_i, cy_i);
+      w_up1_q <= above(bx_i, by_i, ax_i, ay_i);
+    end
+    if (en_i[1]) begin
+      u_up2_q <= u_up1_q;
+      v_up2_q <= v_up1_q;
+      w_up2_q <= w_up1_q;
+    end
+    if (en_i[2]) begin
+      u_up3_q <= u_up2_q;
+      v_up3_q <= v_up2_q;
+      w_up3_q <= w_up2_q;
+    end
+    if (fns_en_i) begin
+      u_o     <= 55'(p_cxby_o) - 55'(p_cybx_o);
+      v_o     <= 55'(p_axcy_o) - 55'(p_aycx_o);
+      w_o     <= 55'(p_bxay_o) - 55'(p_byax_o);
+      u_neg_o <= negative(p_cxby_o, p_cybx_o, u_up3_q);
+      v_neg_o <= negative(p_axcy_o, p_aycx_o, v_up3_q);
+      w_neg_o <= negative(p_bxay_o, p_byax_o, w_up3_q);
+      point_o <= !(u_up3_q || v_up3_q || w_up3_q);
+    end
+  end
+endmodule

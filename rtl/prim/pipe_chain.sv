@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The handshake of a pipeline of Stages registers whose payloads its user holds: stage i takes its
+// payload at load_o[i], and only then, so that an empty stage computes nothing.
+//   if (load[0]) a_q <= f(in_i);
+//   if (load[1]) b_q <= g(a_q);
+// Bubbles close up while the output is blocked; ready is combinational from output to input.
+module pipe_chain #(
+  parameter int unsigned Stages = 2
+) (
+  input  logic              clk_i,
+  input  logic              rst_ni,
+
+  input  logic              valid_i,
+  output logic              ready_o,
+
+  output logic              valid_o,
+  input  logic              ready_i,
+
+  output logic [Stages-1:0] load_o
+);
+  if (Stages < 1) begin : g_check
+    $error("pipe_chain: Stages must be at least 1");
+  end
+
+  logic [Stages-1:0] valid_q, before, ready;
+
+  assign before  = Stages'({valid_q, valid_i});  // the valid in front of each stage
+  assign ready_o = ready[0];
+  assign valid_o = valid_q[Stages-1];
+  assign load_o  = before & ready;
+
+  // A stage moves unless all places from it on are taken and the output is blocked.
+  always_comb begin
+    logic blocked;
+    blocked = !ready_i;
+    for (int unsigned i = 0; i < Stages; i++) begin
+      blocked = blocked && valid_q[Stages-1-i];
+      ready[Stages-1-i] = !blocked;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q <= '0;
+    else valid_q <= (valid_q & ~ready) | (before & ready);
+  end
+endmodule
