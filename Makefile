@@ -17,4 +17,5 @@ CXXFLAGS := -std=c++20 -O3 -march=native -Wall -Wextra -Wno-unused-parameter -MM
 
 include tools/rtl.mk
 include tools/cpp.mk
+include tools/core.mk
 include tools/targets.mk

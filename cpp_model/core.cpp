@@ -37,7 +37,7 @@ Loaded load(const job_t& job, const Windows& windows) {
   loaded.error = check_image(windows.image.data(), windows.image.size(), job, loaded.header, loaded.record);
   if (loaded.error != ErrNone) return loaded;
   loaded.camera = frame_setup(loaded.record);
-  loaded.paint = paint_of(loaded.record);
+  loaded.paint = frame_paint(loaded.record);
   loaded.slots = read_slots(windows.image.data(), loaded.header);
   for (const prim_slot_t& slot : loaded.slots)
     if (!slot_ok(slot, loaded.header)) loaded.error = ErrPrimitive;

@@ -166,8 +166,8 @@ module castray_core
   logic       tile_valid, tile_ready, px_valid, px_ready, dir_valid, dir_ready, ray_valid, ray_ready;
   tile_t      tile;
   pixel_tag_t px;
-  pixel_dir_t dir /*verilator public_flat_rd*/;
-  ray_t       ray /*verilator public_flat_rd*/;
+  pixel_dir_t dir;
+  ray_t       ray;
 
   frame_setup u_frame_setup (
     .clk_i, .rst_ni(datapath_rst_n),
@@ -257,7 +257,7 @@ module castray_core
   logic       merged_valid, merged_ready, hit_valid, hit_ready, record_valid, record_ready;
   logic       colour_valid, colour_ready, found_valid, found_ready, miss_valid, miss_ready;
   hit_t       merged;
-  hit_t       hit /*verilator public_flat_rd*/;
+  hit_t       hit;
 
   stream_arb #(.data_t(hit_t), .N(Lanes)) u_merge (
     .clk_i, .rst_ni(datapath_rst_n),
@@ -277,31 +277,37 @@ module castray_core
     .valid_o({record_valid, colour_valid}), .ready_i({record_ready, colour_ready})
   );
 
+  // Without a hit buffer every record is dropped here.
+  logic writer_ready, writer_take, records_idle;
+  assign record_ready = !job.want_hits || writer_ready;
+  assign writer_take  = record_valid && job.want_hits && writer_ready;
+
   hit_writer u_hit_writer (
+    .clk_i, .rst_ni(datapath_rst_n), .base_i(job.hits), .width_i(job.width),
+    .in_valid_i(record_valid && job.want_hits), .in_ready_o(writer_ready), .in_i(hit),
+    .out_valid_o(write_valid[WriteHit]), .out_ready_i(write_ready[WriteHit]),
+    .out_o(write_req[WriteHit])
+  );
+
+  credit #(.Limit(15)) u_in_records (
     .clk_i, .rst_ni(datapath_rst_n),
-    .enable_i(job.want_hits), .base_i(job.hits), .width_i(job.width),
-    .in_valid_i(record_valid), .in_ready_o(record_ready), .in_i(hit),
-    .req_valid_o(write_valid[WriteHit]), .req_ready_i(write_ready[WriteHit]),
-    .req_o(write_req[WriteHit])
+    .take_i(writer_take), .give_i(write_valid[WriteHit] && write_ready[WriteHit]),
+    .available_o(), .idle_o(records_idle)
   );
 
   // ---- Shading ----
   logic       shade_valid, shade_ready, done_valid, done_ready;
   logic       lit_valid, lit_ready, back_valid, back_ready, attr_hit, attr_miss;
-  shade_req_t shade_req /*verilator public_flat_rd*/;
+  shade_req_t shade_req;
   shaded_t    lit, back;
-  shaded_t    shaded /*verilator public_flat_rd*/;
-  logic       shade_idle, gather_idle, shade_room;
+  shaded_t    shaded;
+  logic       shade_idle, gather_idle;
 
   assign found_valid  = colour_valid && hit.found;
   assign miss_valid   = colour_valid && !hit.found;
   assign colour_ready = hit.found ? found_ready : miss_ready;
 
-  assign paint = '{
-    background: record.background[23:0], colour_a: record.colour_a[23:0],
-    colour_b: record.colour_b[23:0], checker_scale: record.checker_scale[17:0],
-    swap_rb: record.pixel_format == PixelBgra8
-  };
+  frame_paint u_frame_paint (.record_i(record), .paint_o(paint));
 
   attr_cache #(.Entries(AttrEntries)) u_attr_cache (
     .clk_i, .rst_ni(datapath_rst_n), .base_i(job.image + addr_t'(header.attributes.offset)),
@@ -320,7 +326,7 @@ module castray_core
   );
 
   background u_background (
-    .paint_i(paint),
+    .clk_i, .rst_ni(datapath_rst_n), .paint_i(paint),
     .in_valid_i(miss_valid), .in_ready_o(miss_ready), .in_i(hit),
     .out_valid_o(back_valid), .out_ready_i(back_ready), .out_o(back)
   );
@@ -344,11 +350,10 @@ module castray_core
   credit #(.Limit(1023)) u_in_shade (
     .clk_i, .rst_ni(datapath_rst_n),
     .take_i(merged_valid && merged_ready), .give_i(done_valid && done_ready),
-    .available_o(shade_room), .idle_o(shade_idle)
+    .available_o(), .idle_o(shade_idle)
   );
   assign starved = tile_valid && !tile_ready && none_in_setup && shade_idle;
-  assign empty   = brute_idle && shade_idle && gather_idle && !hit_valid
-                   && !write_valid[WriteHit];
+  assign empty   = brute_idle && shade_idle && gather_idle && records_idle && !hit_valid;
 
   // ---- Counters ----
   counters #(.Lanes(Lanes)) u_counters (

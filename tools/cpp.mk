@@ -23,11 +23,12 @@ TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
 
 # tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated
 # model; a comment line "// Verilator: <flags>" in the test adds flags. Else it is a test of C++ only.
-# The models of units are headers; only the tests of whole frames, scenes, references and the
-# simulator are linked to the library.
+# The models of units are headers; only the tests of scenes and references are linked to the
+# library. Those of the simulator and of whole frames: tools/core.mk.
 TESTS       := $(shell find tb -name '*_test.cpp' | sort)
 UNIT_TESTS  := $(foreach t,$(TESTS),$(if $(wildcard $(t:tb/%_test.cpp=rtl/%.sv) $(t:%_test.cpp=%_tb.sv)),$(t)))
-MODEL_TESTS := $(filter-out $(UNIT_TESTS),$(TESTS))
+SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
+MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(SIM_TESTS),$(TESTS))
 
 define unit_test
 $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES)
@@ -40,7 +41,7 @@ $(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(1)/V$(notdir $(1))__AL
 endef
 $(foreach t,$(UNIT_TESTS),$(eval $(call unit_test,$(t:tb/%_test.cpp=%))))
 
-LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,frame scene reference sim)),$(MODEL_TESTS))
+LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,scene reference)),$(MODEL_TESTS))
 $(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)
 $(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(RECORDS)
 	@mkdir -p $(@D)
@@ -50,3 +51,6 @@ $(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_te
 -include $(LIB_OBJECTS:.o=.d) $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test.d)
 
 ALL_TESTS := $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)
+
+# Whole frames first: they take longest.
+TEST_PROGRAMS := $(sort $(filter $(BUILD)/unit/frame/%,$(ALL_TESTS))) $(filter-out $(BUILD)/unit/frame/%,$(ALL_TESTS))

@@ -14,7 +14,7 @@ VERILATOR       := verilator
 VERILATOR_FLAGS := -Wall -fno-const-bit-op-tree --x-initial unique --x-assign unique --assert \
                    $(addprefix -y ,$(RTL_DIRS)) tools/waivers.vlt $(PACKAGES)
 VERILATOR_ROOT  ?= $(shell verilator --getenv VERILATOR_ROOT)
-VERILATED_INC   := -isystem $(VERILATOR_ROOT)/include -isystem $(VERILATOR_ROOT)/include/vltstd
+VERILATED_INC    = -isystem $(VERILATOR_ROOT)/include -isystem $(VERILATOR_ROOT)/include/vltstd
 
 # verilate(unit,output folder,source folder of a wrapper,extra flags): V<unit>.h and V<unit>__ALL.a.
 # A test bench wrapper tb/<folder>/<unit>_tb.sv, where there is one, is the top instead of the unit.
@@ -30,5 +30,6 @@ endef
 LINTS := $(MODULES:rtl/%.sv=$(BUILD)/lint/%.ok)
 $(BUILD)/lint/%.ok: rtl/%.sv $(RTL) tools/waivers.vlt
 	@mkdir -p $(@D)
+	@rm -f $@
 	@$(VERILATOR) --lint-only $(VERILATOR_FLAGS) --top-module $(basename $(notdir $<)) $<
 	@touch $@

@@ -1,13 +1,50 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
-.PHONY: help lint unit
+.PHONY: help setup lint programs render render-run test test-run tests faults bench gallery hashes clean
+
+RENDER_SCENE ?= scenes/teapot.json
+RENDER_SIZE  ?= 320x240
+UNITS        ?=
 
 help: ## list the targets
+	@echo "make TARGET:"
 	@sed -n 's/^\([a-z-]*\):.*## /  \1\t/p' tools/targets.mk | expand -t 16
+	@echo "  unit/FOLDER/NAME  build and run one unit's test, for example unit/isect/ray_prim"
+
+setup: ## install the Debian packages that are missing
+	@tools/setup.sh
+
+render: ## render the teapot on the Verilated core, compare with the model: build/teapot.png, .exr
+	@tools/setup.sh
+	@$(MAKE) --no-print-directory render-run
+
+render-run: programs
+	@$(BUILD)/castray render $(RENDER_SCENE) --engine rtl --size $(RENDER_SIZE) --check \
+	  -o $(BUILD)/teapot.png --aov $(BUILD)/teapot.exr --json $(BUILD)/teapot.json
+
+test: ## everything that must pass: lint, units, model, small frames; ends with N passed, N failed
+	@tools/setup.sh
+	@$(MAKE) --no-print-directory test-run
+
+# What does not build counts as failed, so the build goes on behind an error.
+test-run:
+	@$(MAKE) --no-print-directory -k $(LINTS) programs tests || true
+	@ok=$$(find $(BUILD)/lint -name '*.ok' | wc -l); echo "  lint: $$ok of $(words $(LINTS)) modules clean"; \
+	 python3 tools/run_tests.py -j $(JOBS) --passed $$ok --failed $$(($(words $(LINTS)) - ok)) $(TEST_PROGRAMS)
 
 lint: $(LINTS) ## lint every module as its own top
 	@echo "lint: $(words $(LINTS)) modules clean"
 
+programs: $(BUILD)/castray $(BUILD)/make_teapot $(call cores_files,$(CORES_RENDER)) ## build the command-line programs
+
+tests: $(ALL_TESTS)
+
+faults: ## plant each fault of tb/faults; its unit's test must catch it (UNITS=isect/ray_prim: some)
+	@python3 tools/plant_faults.py -j $(JOBS) $(UNITS)
+
 # One unit's test: make unit/isect/ray_prim
 unit/%: $(BUILD)/unit/%_test
 	$<
+
+clean: ## remove everything that was built
+	@rm -rf $(BUILD)

@@ -15,7 +15,7 @@ struct small_t {
 };
 inline small_t small_of(std::int64_t x) {
   const std::uint64_t m = static_cast<std::uint64_t>(x < 0 ? -x : x);
-  const int shift = std::max(0, msb(m) - (HitDivW - 2));
+  const int shift = std::max(0, msb(m) - int{HitDivW - 2});
   return {m >> shift, shift};
 }
 

@@ -24,12 +24,16 @@ nlohmann::json parse_json(const std::string& text, const std::string& file) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::exception& error) {
-    // "[json.exception...] parse error at line 3, column 7: syntax error while ..."
+    // "[json.exception.parse_error.101] parse error at line 3, column 7: syntax error while ..."
+    // "[json.exception.out_of_range.406] number overflow parsing '1e999'"
     const std::string message = one_line(error.what());
     const std::size_t at = message.find("at line ");
     const std::size_t colon = at == std::string::npos ? at : message.find(": ", at);
-    if (colon == std::string::npos) throw SceneError(file, "JSON", message);
-    throw SceneError(file, message.substr(at + 3, colon - at - 3), message.substr(colon + 2));
+    if (colon != std::string::npos) throw SceneError(file, message.substr(at + 3, colon - at - 3), message.substr(colon + 2));
+    const std::size_t quote = message.find('\'');
+    const std::size_t token = quote == std::string::npos ? 0 : text.find(message.substr(quote + 1, message.size() - quote - 2));
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(token, text.size())), '\n');
+    throw SceneError(file, "line " + std::to_string(line), message.substr(message.find("] ") + 2));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A value of a JSON file that knows its place, so that every complaint names it: "meshes[0].file".
 #pragma once
+#include <algorithm>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,8 +19,9 @@ class JsonValue {
   // An object with no other keys than these.
   void allow(std::initializer_list<const char*> keys) const {
     if (!value_.is_object()) fail("must be an object");
-    for (const auto& [key, value] : value_.items())
-      if (std::none_of(keys.begin(), keys.end(), [&](const char* known) { return key == known; })) fail("unknown key \"" + key + "\"");
+    for (const auto& item : value_.items())
+      if (std::none_of(keys.begin(), keys.end(), [&](const char* known) { return item.key() == known; }))
+        fail("unknown key \"" + item.key() + "\"");
   }
   bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
   bool is_array() const { return value_.is_array(); }

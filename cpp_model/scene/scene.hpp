@@ -14,7 +14,7 @@
 namespace castray {
 
 using Vec2 = Imath::V2d;
-using Vec3 = Imath::V3d;
+using Vec3 = Imath::V3d;  // not initialised by default, as all of Imath's vectors
 using Matrix = Imath::M44d;  // Imath's convention: row vectors, p' = p * M, translation in row 3
 
 // Everything that is wrong with an input: what() is one line, "file: place: cause".
@@ -27,15 +27,15 @@ struct SceneError : std::runtime_error {
 enum class Material : std::uint8_t { Checker = 0, ColourA = 1, ColourB = 2 };
 
 struct Triangle {
-  std::array<Vec3, 3> corner;
-  std::array<Vec3, 3> normal;  // unit, or zero: then the interpolation falls back to the face's
-  Vec3 face;                   // unit normal, counter-clockwise seen from outside
-  std::array<Vec2, 3> tex;
+  std::array<Vec3, 3> corner = {Vec3(0), Vec3(0), Vec3(0)};
+  std::array<Vec3, 3> normal = {Vec3(0), Vec3(0), Vec3(0)};  // unit, or zero; where they cancel, the face's serves
+  Vec3 face = Vec3(0);                                       // unit, on the side from which the corners run counter-clockwise
+  std::array<Vec2, 3> tex = {Vec2(0), Vec2(0), Vec2(0)};
   Material material = Material::Checker;
 };
 
 struct Sphere {
-  Vec3 centre;
+  Vec3 centre = Vec3(0);
   double radius = 1;
   Material material = Material::Checker;
 };

@@ -9,13 +9,11 @@
 #include "scene/json.hpp"
 #include "scene/mesh.hpp"
 #include "scene/mesh_file.hpp"
+#include "scene/scene_names.hpp"
 #include "scene/text.hpp"
 
 namespace castray {
 namespace {
-
-constexpr const char* kMaterials[] = {"checker", "a", "b"};
-constexpr const char* kPixelFormats[] = {"rgba8", "bgra8"};
 
 template <class Enum, std::size_t N> Enum choice(const JsonValue& value, const char* const (&names)[N]) {
   const std::string text = value.text();
@@ -40,12 +38,6 @@ Rgb colour(const JsonValue& value) {
     value.fail("must be three numbers or \"#rrggbb\"");
   for (int i = 0; i < 3; ++i) rgb[i] = static_cast<std::uint8_t>(std::stoi(text.substr(1 + 2 * i, 2), nullptr, 16));
   return rgb;
-}
-
-std::string hex(const Rgb& rgb) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
-  return text;
 }
 
 void note_default(Scene& scene, const std::string& what, const std::string& value) { scene.defaults.push_back(what + ": " + value); }
@@ -189,7 +181,8 @@ Scene read_scene(const nlohmann::json& json, const std::string& file, const std:
   if (root.has("pixel_format")) scene.pixel_format = choice<PixelFormat>(root["pixel_format"], kPixelFormats);
   if (root.has("meshes")) read_meshes(root["meshes"], scene, folder);
   if (root.has("spheres")) read_spheres(root["spheres"], scene);
-  if (scene.primitives() == 0) throw SceneError(scene.file, "scene", "it holds no triangle and no sphere");
+  if (scene.primitives() == 0)
+    throw SceneError(scene.file, "scene", scene.dropped_triangles == 0 ? "it holds no triangle and no sphere" : "all its triangles are degenerate");
   read_camera(root.has("camera") ? root["camera"] : JsonValue(nothing, file, "camera"), scene, file);
   return scene;
 }
@@ -203,32 +196,6 @@ Scene read_scene_file(const std::filesystem::path& path) {
 Scene mesh_scene(const std::filesystem::path& path) {
   const nlohmann::json json = {{"meshes", {{{"file", path.filename().string()}}}}};
   return read_scene(json, path.string(), path.parent_path());
-}
-
-std::string scene_text(const Scene& scene, const std::filesystem::path& folder) {
-  nlohmann::ordered_json json;
-  if (!scene.description.empty()) json["description"] = scene.description;
-  json["size"] = {scene.width, scene.height};
-  json["camera"]["camera_to_world"] = to_rows(scene.camera.to_world);
-  json["camera"]["field_of_view"] = scene.camera.field_of_view;
-  json["background"] = hex(scene.paint.background);
-  json["checker"]["colours"] = {hex(scene.paint.colour_a), hex(scene.paint.colour_b)};
-  json["checker"]["scale"] = scene.paint.checker_scale;
-  json["pixel_format"] = kPixelFormats[static_cast<int>(scene.pixel_format)];
-  json["meshes"] = nlohmann::ordered_json::array();
-  for (const MeshSource& mesh : scene.meshes) {
-    const auto absolute = std::filesystem::absolute(mesh.file).lexically_normal();
-    const auto relative = absolute.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
-    json["meshes"].push_back({{"file", (relative.empty() ? absolute : relative).generic_string()},
-                              {"object_to_world", to_rows(mesh.object_to_world)},
-                              {"material", kMaterials[static_cast<int>(mesh.material)]}});
-  }
-  json["spheres"] = nlohmann::ordered_json::array();
-  for (const Sphere& sphere : scene.spheres)
-    json["spheres"].push_back({{"centre", {sphere.centre.x, sphere.centre.y, sphere.centre.z}},
-                               {"radius", sphere.radius},
-                               {"material", kMaterials[static_cast<int>(sphere.material)]}});
-  return json.dump(2) + "\n";
 }
 
 }  // namespace castray

@@ -4,8 +4,8 @@
 //   Tiles are cut by the frame's grid of 2^TileLog2 pixels and clipped to the window.
 //   Rows: left to right, top to bottom. Z order: column and row of a tile, counted from the
 //   window's first, are the even and the odd bits of a code that counts up; codes outside the
-//   window are skipped, a whole aligned block at a time (code + its lowest one), so that at most
-//   22 cycles pass from one tile to the next.
+//   window are skipped, a whole aligned block at a time (code + its lowest one), so that two
+//   tiles are at most 20 skips apart: each skip's lowest one is above the last one's.
 //   Slots: 0 to Slots-1 in turn.
 // One pixel a cycle, without a pause between tiles of 2 pixels and more (in rows).
 // done_o: a level, from after the last pixel was taken until the next start.
@@ -62,7 +62,7 @@ module tile_walk
   code_t at_q, at_d, code;
   logic  ended_q, ended_d;
   idx_t  col, row;
-  logic  inside, step;
+  logic  in_window, step;
 
   always_comb begin
     for (int unsigned i = 0; i < IdxW; i++) begin
@@ -70,8 +70,8 @@ module tile_walk
       row[i] = job_i.z_order ? at_q[2*i+1] : at_q[IdxW+i];
     end
   end
-  assign inside = col <= last_col && row <= last_row;
-  assign code   = inside ? code_t'(1) : at_q & (~at_q + 1'b1);
+  assign in_window = col <= last_col && row <= last_row;
+  assign code   = in_window ? code_t'(1) : at_q & (~at_q + 1'b1);
 
   always_comb begin
     {ended_d, at_d} = {1'b0, at_q} + {1'b0, code};
@@ -115,7 +115,7 @@ module tile_walk
       tile_valid_q <= 1'b0;
     end else begin
       if (step) ended_q <= ended_d;
-      if (step || granted) tile_valid_q <= step && inside;
+      if (step || granted) tile_valid_q <= step && in_window;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -124,7 +124,7 @@ module tile_walk
       slot_q <= '0;
     end else if (step) begin
       at_q <= at_d;
-      if (inside) begin
+      if (in_window) begin
         tile_q <= tile_at(first_col + col, first_row + row, job_i, slot_q);
         slot_q <= (slot_q == 8'(Slots - 1)) ? '0 : slot_q + 1'b1;
       end
@@ -133,13 +133,14 @@ module tile_walk
 
   // ---- The granted tile waits until the one before has given its pixels ----
   tile_t wait_tile;
-  logic  wait_ready, wait_valid, next;
+  logic  wait_valid, next;
+  logic  unused_ready;  // only an empty place is offered a tile
   assign tile_valid_o = tile_valid_q && !wait_valid;
   assign tile_o       = tile_q;
   assign granted      = tile_valid_o && tile_ready_i;
   pipe_stage #(.data_t(tile_t)) u_wait (
     .clk_i, .rst_ni(rst_ni && !start_i),
-    .valid_i(granted), .ready_o(wait_ready), .data_i(tile_q),
+    .valid_i(granted), .ready_o(unused_ready), .data_i(tile_q),
     .valid_o(wait_valid), .ready_i(next), .data_o(wait_tile)
   );
 

@@ -8,8 +8,9 @@
 // and U's sign says whether C ranks above B. An edge so belongs to exactly one of its triangles.
 // point_o: the three sheared corners coincide.
 // One triangle a cycle, four cycles, never stalls; en_i[k]: stage k + 1 takes an item, fns_en_i:
-// the last one takes a triangle. A sphere uses the same multipliers, its operands put in the
-// corners' places; p*_o are the products of s3. square_i: the first two products are Ax Ax, Ay Ay.
+// the last one takes a triangle.
+// A sphere uses the same multipliers (sphere_i): its sheared centre X, Y is in A's place, and
+// p0..p5, the products of s3, are X X, N R, X Sx, Y Sx, Y Y, X Sy: see sphere_disc.
 // Model: cpp_model/isect/edge_fns.hpp, equal bit for bit.
 module edge_fns
   import castray_pkg::*;
@@ -18,20 +19,24 @@ module edge_fns
 
   input  logic [2:0]         en_i,
   input  logic               fns_en_i,
-  input  logic               square_i,
   input  sheared_t           ax_i,
   input  sheared_t           ay_i,
   input  sheared_t           bx_i,
   input  sheared_t           by_i,
   input  sheared_t           cx_i,
   input  sheared_t           cy_i,
+  input  logic               sphere_i,
+  input  shear_t             sx_i,
+  input  shear_t             sy_i,
+  input  delta_t             reach_i,
+  input  delta_t             radius_i,
 
-  output logic signed [53:0] p_cxby_o,
-  output logic signed [53:0] p_cybx_o,
-  output logic signed [53:0] p_axcy_o,
-  output logic signed [53:0] p_aycx_o,
-  output logic signed [53:0] p_bxay_o,
-  output logic signed [53:0] p_byax_o,
+  output logic signed [53:0] p0_o,
+  output logic signed [53:0] p1_o,
+  output logic signed [53:0] p2_o,
+  output logic signed [53:0] p3_o,
+  output logic signed [53:0] p4_o,
+  output logic signed [53:0] p5_o,
 
   output logic signed [54:0] u_o,
   output logic signed [54:0] v_o,
@@ -41,12 +46,12 @@ module edge_fns
   output logic               w_neg_o,
   output logic               point_o
 );
-  mul27 u_cxby (.clk_i, .en_i, .a_i(square_i ? ax_i : cx_i), .b_i(square_i ? ax_i : by_i), .p_o(p_cxby_o));
-  mul27 u_cybx (.clk_i, .en_i, .a_i(square_i ? ay_i : cy_i), .b_i(square_i ? ay_i : bx_i), .p_o(p_cybx_o));
-  mul27 u_axcy (.clk_i, .en_i, .a_i(ax_i), .b_i(cy_i), .p_o(p_axcy_o));
-  mul27 u_aycx (.clk_i, .en_i, .a_i(ay_i), .b_i(cx_i), .p_o(p_aycx_o));
-  mul27 u_bxay (.clk_i, .en_i, .a_i(bx_i), .b_i(ay_i), .p_o(p_bxay_o));
-  mul27 u_byax (.clk_i, .en_i, .a_i(by_i), .b_i(ax_i), .p_o(p_byax_o));
+  mul27 u_p0 (.clk_i, .en_i, .a_i(sphere_i ? ax_i : cx_i), .b_i(sphere_i ? ax_i : by_i), .p_o(p0_o));
+  mul27 u_p1 (.clk_i, .en_i, .a_i(sphere_i ? reach_i : cy_i), .b_i(sphere_i ? radius_i : bx_i), .p_o(p1_o));
+  mul27 u_p2 (.clk_i, .en_i, .a_i(ax_i), .b_i(sphere_i ? sx_i : cy_i), .p_o(p2_o));
+  mul27 u_p3 (.clk_i, .en_i, .a_i(ay_i), .b_i(sphere_i ? sx_i : cx_i), .p_o(p3_o));
+  mul27 u_p4 (.clk_i, .en_i, .a_i(ay_i), .b_i(sphere_i ? ay_i : bx_i), .p_o(p4_o));
+  mul27 u_p5 (.clk_i, .en_i, .a_i(ax_i), .b_i(sphere_i ? sy_i : by_i), .p_o(p5_o));
 
   // Does the first corner rank above the second?
   function automatic logic above(sheared_t x0, sheared_t y0, sheared_t x1, sheared_t y1);
@@ -78,12 +83,12 @@ module edge_fns
       w_up3_q <= w_up2_q;
     end
     if (fns_en_i) begin
-      u_o     <= 55'(p_cxby_o) - 55'(p_cybx_o);
-      v_o     <= 55'(p_axcy_o) - 55'(p_aycx_o);
-      w_o     <= 55'(p_bxay_o) - 55'(p_byax_o);
-      u_neg_o <= negative(p_cxby_o, p_cybx_o, u_up3_q);
-      v_neg_o <= negative(p_axcy_o, p_aycx_o, v_up3_q);
-      w_neg_o <= negative(p_bxay_o, p_byax_o, w_up3_q);
+      u_o     <= 55'(p0_o) - 55'(p1_o);
+      v_o     <= 55'(p2_o) - 55'(p3_o);
+      w_o     <= 55'(p4_o) - 55'(p5_o);
+      u_neg_o <= negative(p0_o, p1_o, u_up3_q);
+      v_neg_o <= negative(p2_o, p3_o, v_up3_q);
+      w_neg_o <= negative(p4_o, p5_o, w_up3_q);
       point_o <= !(u_up3_q || v_up3_q || w_up3_q);
     end
   end

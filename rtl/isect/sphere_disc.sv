@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Does the ray's line meet the sphere? X, Y: the sheared centre; R: the radius; N: |S| R, of
-// which R and N are in one and two steps. With the products of edge_fns:
-//   s1-s3  Y Sy (here, 2 DSPs)           X^2, Y^2, X Sx, Y Sx, X Sy (on the triangle's)
-//          N R  (here, 2 DSPs)
-//   s4     Z = X Sy - Y Sx               nearest, units of two steps; 2^26 and more: a miss
+// which R is in steps, N in units of two. Five of the products, and N R, are edge_fns'.
+//   s1-s3  Y Sy                          exact, 2 DSPs
+//   s4     Z = X Sy - Y Sx               nearest, units of two steps; below 2^26, because the
+//                                        sheared z cancels: it is (x Sy - y Sx) / 2
 //          towards = X Sx + Y Sy         nearest, quarter steps
 //          rest = N R - 2 (X^2 + Y^2)    exact, units of two square steps
 //   s4-s6  Z^2                           exact, 2 DSPs
@@ -19,30 +19,28 @@ module sphere_disc
   input  logic [3:0]         en_i,
   input  sheared_t           y_i,
   input  shear_t             sy_i,
-  input  delta_t             radius_i,
-  input  delta_t             reach_i,
 
-  // products at s3
+  // edge_fns' products at s3
   input  logic signed [53:0] p_xx_i,
   input  logic signed [53:0] p_yy_i,
   input  logic signed [53:0] p_xsx_i,
   input  logic signed [53:0] p_ysx_i,
   input  logic signed [53:0] p_xsy_i,
+  input  logic signed [53:0] p_nr_i,
 
   output logic               valid_o,
   output logic [55:0]        disc_o,
   output logic signed [31:0] towards_o
 );
-  logic signed [53:0] p_ysy, p_nr, p_zz;
+  logic signed [53:0] p_ysy, p_zz;
 
   mul27 u_ysy (.clk_i, .en_i(en_i[2:0]), .a_i(y_i), .b_i(sy_i), .p_o(p_ysy));
-  mul27 u_nr (.clk_i, .en_i(en_i[2:0]), .a_i(reach_i), .b_i(radius_i), .p_o(p_nr));
 
   // Sums of two products have 55 bits.
-  function automatic logic signed [28:0] round_z(logic signed [53:0] p, logic signed [53:0] q);
+  function automatic logic signed [26:0] round_z(logic signed [53:0] p, logic signed [53:0] q);
     logic signed [54:0] sum;
     sum = 55'(p) - 55'(q) + (55'sd1 <<< (ShearFrac - 1));
-    return 29'(sum >>> ShearFrac);
+    return 27'(sum >>> ShearFrac);
   endfunction
   function automatic logic signed [31:0] round_towards(logic signed [53:0] p, logic signed [53:0] q);
     logic signed [54:0] sum;
@@ -50,18 +48,14 @@ module sphere_disc
     return 32'(sum >>> (ShearFrac - 3));
   endfunction
 
-  logic signed [28:0] z;
-  assign z = round_z(p_xsy_i, p_ysx_i);
-
   logic               valid4_q, valid5_q, valid6_q, valid7_q;
   logic signed [55:0] rest4_q, rest5_q, rest6_q, disc7_q;
   logic signed [31:0] towards4_q, towards5_q, towards6_q;
 
-  // z fits the multiplier; where it does not, the sphere is missed by far.
-  logic en4;
-  assign en4 = en_i[3] && (z[28:26] == '0 || z[28:26] == '1);
+  logic signed [26:0] z;
+  assign z = round_z(p_xsy_i, p_ysx_i);
 
-  mul27 u_zz (.clk_i, .en_i({valid5_q, valid4_q, en4}), .a_i(z[26:0]), .b_i(z[26:0]), .p_o(p_zz));
+  mul27 u_zz (.clk_i, .en_i({valid5_q, valid4_q, en_i[3]}), .a_i(z), .b_i(z), .p_o(p_zz));
 
   assign valid_o = valid7_q && !disc7_q[55];
   assign disc_o  = disc7_q;
@@ -73,7 +67,7 @@ module sphere_disc
       valid6_q <= 1'b0;
       valid7_q <= 1'b0;
     end else begin
-      valid4_q <= en4;
+      valid4_q <= en_i[3];
       valid5_q <= valid4_q;
       valid6_q <= valid5_q;
       valid7_q <= valid6_q;
@@ -81,8 +75,8 @@ module sphere_disc
   end
 
   always_ff @(posedge clk_i) begin
-    if (en4) begin
-      rest4_q    <= 56'(p_nr) - ((56'(p_xx_i) + 56'(p_yy_i)) <<< 1);
+    if (en_i[3]) begin
+      rest4_q    <= 56'(p_nr_i) - ((56'(p_xx_i) + 56'(p_yy_i)) <<< 1);
       towards4_q <= round_towards(p_xsx_i, p_ysy);
     end
     if (valid4_q) begin

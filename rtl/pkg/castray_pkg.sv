@@ -156,6 +156,28 @@ package castray_pkg;
   // ---- Shading ----
   typedef struct packed { logic [7:0] b, g, r; } rgb_t;
 
+  // A vector before it is normalised: a corner normal's units, grid steps, or a direction's.
+  typedef logic signed [CoordW+2:0] span_t;
+  typedef struct packed { span_t x, y, z; } span3_t;
+
+  // A triangle's attributes at the hit.
+  typedef struct packed {
+    unit3_t normal;   // not normalised
+    tex_t   s;
+    tex_t   t;
+  } smooth_t;
+
+  // What paint takes: the unit vectors of a hit and what its colour depends on.
+  typedef struct packed {
+    pixel_tag_t tag;
+    logic       kind;
+    logic [7:0] material;
+    tex_t       s;
+    tex_t       t;
+    unit3_t     normal;
+    unit3_t     view;   // along the ray, either way
+  } paint_req_t;
+
   // The materials' parameters of a frame, from the frame record.
   typedef struct packed {
     rgb_t        background;

@@ -22,12 +22,12 @@ module pipe_chain #(
     $error("pipe_chain: Stages must be at least 1");
   end
 
-  logic [Stages-1:0] valid_q, before, ready;
+  logic [Stages-1:0] valid_q, offered, ready;
 
-  assign before  = Stages'({valid_q, valid_i});  // the valid in front of each stage
+  assign offered  = Stages'({valid_q, valid_i});  // the valid that each stage is offered
   assign ready_o = ready[0];
   assign valid_o = valid_q[Stages-1];
-  assign load_o  = before & ready;
+  assign load_o  = offered & ready;
 
   // A stage moves unless all places from it on are taken and the output is blocked.
   always_comb begin
@@ -41,6 +41,6 @@ module pipe_chain #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else valid_q <= (valid_q & ~ready) | (before & ready);
+    else valid_q <= (valid_q & ~ready) | (offered & ready);
   end
 endmodule

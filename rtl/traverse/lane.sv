@@ -107,13 +107,12 @@ module lane
   );
 
   // ---- Candidates wait for the hit unit ----
-  logic queue_ready, queue_valid, queue_take, queue_pop, tests_idle;
-  logic [$clog2(QueueDepth+1)-1:0] queue_used;
+  logic queue_valid, queue_take, queue_pop, tests_idle;
 
   stream_fifo #(.data_t(cand_t), .Depth(QueueDepth)) u_queue (
     .clk_i, .rst_ni,
-    .valid_i(cand_valid), .ready_o(queue_ready), .data_i(cand),
-    .valid_o(queue_valid), .ready_i(queue_take), .data_o(queue_head), .used_o(queue_used)
+    .valid_i(cand_valid), .ready_o(), .data_i(cand),
+    .valid_o(queue_valid), .ready_i(queue_take), .data_o(queue_head), .used_o()
   );
   assign queue_pop = queue_valid && queue_take;
 
@@ -124,7 +123,7 @@ module lane
   );
 
   // ---- Division and the nearest hit ----
-  logic    result_valid, hit_retire, hits_idle, hits_available;
+  logic    result_valid, hit_retire, hits_idle;
   result_t result, best;
 
   hit_unit u_hit_unit (
@@ -135,7 +134,7 @@ module lane
 
   credit #(.Limit(255)) u_hits (
     .clk_i, .rst_ni,
-    .take_i(queue_pop), .give_i(hit_retire), .available_o(hits_available), .idle_o(hits_idle)
+    .take_i(queue_pop), .give_i(hit_retire), .available_o(), .idle_o(hits_idle)
   );
   assign quiet_o = tests_idle && hits_idle;
 

@@ -3,7 +3,7 @@
 // watches over is seen to be broken when it is.
 #include <gtest/gtest.h>
 
-#include "axi_manager.hpp"
+#include "sim/axi_manager.hpp"
 
 namespace castray::tb {
 namespace {

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mirrors rtl/mem/hit_writer.sv: a hit as its record of the hit buffer, and where that lies.
+#pragma once
+#include "fixed.hpp"
+
+namespace castray {
+
+inline hit_record_t hit_record(const hit_t& hit) {
+  hit_record_t record;
+  record.t = hit.found ? hit.t : TMax;
+  record.u = hit.found ? hit.u : 0;
+  record.v = hit.found ? hit.v : 0;
+  record.prim = hit.found ? hit.number : 0xffffffff;
+  record.instance_id = hit.found ? 0 : 0xffffffff;
+  return record;
+}
+
+// Byte offset of a pixel's record in the hit buffer.
+inline std::uint64_t hit_offset(const pixel_tag_t& tag, std::uint64_t width) {
+  return (tag.y * width + tag.x) * HitBytes;
+}
+
+}  // namespace castray

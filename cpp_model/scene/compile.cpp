@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/compile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "fixed.hpp"
+#include "scene/camera.hpp"
+#include "scene/frame.hpp"
+#include "scene/grid.hpp"
+#include "scene/text.hpp"
+
+namespace castray {
+namespace {
+
+static_assert(image_header_t::kBits == 8 * HeaderBytes && frame_record_t::kBits == 8 * FrameBytes);
+static_assert(prim_slot_t::kBits <= 8 * SlotBytes && attr_t::kBits <= 8 * AttrBytes);
+
+constexpr std::uint64_t kNoNumber = (std::uint64_t{1} << PrimW) - 1;
+
+template <class Record> void put(std::vector<std::uint8_t>& bytes, std::size_t at, const Record& record) {
+  const auto words = pack(record);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    for (int k = 0; k < 4; ++k) bytes[at + 4 * i + std::size_t(k)] = static_cast<std::uint8_t>(words[i] >> (8 * k));
+}
+
+std::uint64_t aligned(std::uint64_t bytes) { return (bytes + ImageAlign - 1) / ImageAlign * ImageAlign; }
+
+point_t grid_point(const Grid& grid, const Vec3& p) {
+  point_t point;
+  point.x = static_cast<std::uint64_t>(grid.at(p.x, 0));
+  point.y = static_cast<std::uint64_t>(grid.at(p.y, 1));
+  point.z = static_cast<std::uint64_t>(grid.at(p.z, 2));
+  return point;
+}
+
+// No area on the grid, exactly: differences have 27 bits, products 54.
+bool degenerate(const prim_slot_t& slot) {
+  const auto d = [](std::uint64_t a, std::uint64_t b) { return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b); };
+  const std::int64_t ux = d(slot.b.x, slot.a.x), uy = d(slot.b.y, slot.a.y), uz = d(slot.b.z, slot.a.z);
+  const std::int64_t vx = d(slot.c.x, slot.a.x), vy = d(slot.c.y, slot.a.y), vz = d(slot.c.z, slot.a.z);
+  return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
+}
+
+unit3_t unit3(const Vec3& n) {
+  const auto fixed = [](double x) { return std::llround(std::ldexp(x, UnitFrac)); };
+  unit3_t unit;
+  unit.x = fixed(n.x);
+  unit.y = fixed(n.y);
+  unit.z = fixed(n.z);
+  return unit;
+}
+
+class Compiler {
+ public:
+  explicit Compiler(const Scene& scene) : scene_(scene) {}
+
+  SceneImage image(int width, int height) {
+    if (scene_.primitives() == 0) throw SceneError(scene_.file, "scene", "it holds no triangle and no sphere");
+    if (scene_.primitives() > kNoNumber)
+      throw SceneError(scene_.file, "scene", std::to_string(scene_.primitives()) + " primitives, at most " + std::to_string(kNoNumber) + " are possible");
+    Vec3 low, high;
+    bounds(scene_, low, high);
+    for (int i = 0; i < 3; ++i) {
+      const double eye = scene_.camera.eye()[i];
+      if (!(std::abs(eye) <= 0x1p60)) throw SceneError(scene_.file, "camera", "the eye at " + text_of(eye) + " is outside the number range, +-2^60");
+      low[i] = std::min(low[i], eye);
+      high[i] = std::max(high[i], eye);
+    }
+    grid_ = finest_grid(low, high);
+    image_.frame = frame_record(scene_, grid_, width, height);
+    primitives();
+    if (slots_.empty())
+      throw SceneError(scene_.file, "scene", "nothing is left on a grid of 2^" + std::to_string(grid_.power) + ": scene and camera lie too far apart");
+    lay_out();
+    return std::move(image_);
+  }
+
+ private:
+  void primitives() {
+    attributes_.reserve(scene_.primitives());
+    for (const Triangle& triangle : scene_.triangles) {
+      prim_slot_t slot;
+      slot.a = grid_point(grid_, triangle.corner[0]);
+      slot.b = grid_point(grid_, triangle.corner[1]);
+      slot.c = grid_point(grid_, triangle.corner[2]);
+      slot.number = attributes_.size();
+      slot.kind = KindTriangle;
+      if (degenerate(slot)) ++image_.dropped_triangles;
+      else slots_.push_back(slot);
+
+      attr_t attr;
+      attr.na = unit3(triangle.normal[0]);
+      attr.nb = unit3(triangle.normal[1]);
+      attr.nc = unit3(triangle.normal[2]);
+      attr.face = unit3(triangle.face);
+      tex_t* const tex[][2] = {{&attr.sa, &attr.ta}, {&attr.sb, &attr.tb}, {&attr.sc, &attr.tc}};
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 2; ++k) *tex[i][k] = texture(triangle.tex[i][k]);
+      attr.material = static_cast<std::uint64_t>(triangle.material);
+      attr.kind = KindTriangle;
+      attributes_.push_back(attr);
+    }
+    for (const Sphere& sphere : scene_.spheres) {
+      prim_slot_t slot;
+      slot.a = grid_point(grid_, sphere.centre);
+      slot.b.x = static_cast<std::uint64_t>(std::llround(sphere.radius / grid_.step()));
+      slot.number = attributes_.size();
+      slot.kind = KindSphere;
+      if (slot.b.x == 0) ++image_.dropped_spheres;
+      else slots_.push_back(slot);
+
+      attr_t attr;
+      attr.centre = slot.a;
+      attr.material = static_cast<std::uint64_t>(sphere.material);
+      attr.kind = KindSphere;
+      attributes_.push_back(attr);
+    }
+    warn(image_.dropped_triangles, "triangle", "degenerate");
+    warn(image_.dropped_spheres, "sphere", "of radius zero");
+  }
+
+  tex_t texture(double x) const {
+    const double fixed = std::round(std::ldexp(x, 16));
+    if (!(std::abs(fixed) < 0x1p26))
+      throw SceneError(scene_.file, "triangle " + std::to_string(attributes_.size()), "texture coordinate " + text_of(x) + " is not between -1024 and 1024");
+    return static_cast<tex_t>(fixed);
+  }
+
+  void warn(std::size_t count, const char* noun, const char* state) {
+    if (count != 0)
+      image_.warnings.push_back(scene_.file + ": " + counted(count, noun) + " dropped: " + state + " on the grid of 2^" + std::to_string(grid_.power));
+  }
+
+  void lay_out() {
+    image_header_t& header = image_.header;
+    header.magic = ImageMagic;
+    header.version = ImageVersion;
+    header.parameters = ImageParameters;
+    header.grid_power = grid_.power;
+    header.primitives = attributes_.size();
+    header.lines = {.offset = aligned(HeaderBytes + FrameBytes), .count = (slots_.size() + 1) / 2};
+    header.attributes = {.offset = aligned(header.lines.offset + header.lines.count * LineBytes), .count = attributes_.size()};
+    header.nodes = {.offset = aligned(header.attributes.offset + header.attributes.count * AttrBytes), .count = 0};
+    header.image_bytes = header.nodes.offset;
+    header.corner_x = grid_.corner[0];
+    header.corner_y = grid_.corner[1];
+    header.corner_z = grid_.corner[2];
+
+    if (slots_.size() % 2 != 0) slots_.push_back({.number = kNoNumber});
+    image_.bytes.assign(header.image_bytes, 0);
+    put(image_.bytes, 0, header);
+    put(image_.bytes, HeaderBytes, image_.frame);
+    for (std::size_t i = 0; i < slots_.size(); ++i) put(image_.bytes, header.lines.offset + i * SlotBytes, slots_[i]);
+    for (std::size_t i = 0; i < attributes_.size(); ++i) put(image_.bytes, header.attributes.offset + i * AttrBytes, attributes_[i]);
+  }
+
+  const Scene& scene_;
+  Grid grid_;
+  std::vector<prim_slot_t> slots_;
+  std::vector<attr_t> attributes_;
+  SceneImage image_;
+};
+
+}  // namespace
+
+double SceneImage::step() const { return std::ldexp(1.0, static_cast<int>(header.grid_power)); }
+
+SceneImage compile(const Scene& scene, int width, int height) { return Compiler(scene).image(width, height); }
+
+void set_frame(SceneImage& image, const Scene& scene, int width, int height) {
+  Grid grid;
+  grid.power = static_cast<int>(image.header.grid_power);
+  grid.corner[0] = image.header.corner_x;
+  grid.corner[1] = image.header.corner_y;
+  grid.corner[2] = image.header.corner_z;
+  image.frame = frame_record(scene, grid, width, height);
+  put(image.bytes, HeaderBytes, image.frame);
+}
+
+double scene_distance(const SceneImage& image, int x, int y, std::int64_t t) {
+  const frame_record_t& f = image.frame;
+  const double across = (2.0 * x + 1 - double(f.width)) * double(f.pitch);
+  const double above = (double(f.height) - 2.0 * y - 1) * double(f.pitch);
+  const double focal = double(f.focal);
+  const Vec3 d = Vec3(f.right_x, f.right_y, f.right_z) * across + Vec3(f.up_x, f.up_y, f.up_z) * above - Vec3(f.back_x, f.back_y, f.back_z) * focal;
+  const double dominant = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  return std::ldexp(double(t), -TFrac) * image.step() * (d.length() / dominant);
+}
+
+}  // namespace castray

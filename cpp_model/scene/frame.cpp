@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/frame.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "scene/text.hpp"
+
+namespace castray {
+namespace {
+
+constexpr int kMaxSize = 4096;
+constexpr int kFocalFrac = 44;
+constexpr int kMatrixFrac = 30;
+
+std::uint64_t word(const Rgb& rgb) { return rgb[0] | std::uint64_t{rgb[1]} << 8 | std::uint64_t{rgb[2]} << 16 | 0xff000000u; }
+
+void set_lens(frame_record_t& frame, const Scene& scene, int width, int height) {
+  const double fov = scene.camera.field_of_view;
+  if (!(fov >= 0.01 && fov <= 179)) throw SceneError(scene.file, "camera", "field of view of " + text_of(fov) + " degrees is not between 0.01 and 179");
+  // Focal in units of the pitch, which is a power of two: only focal is rounded.
+  const long double focal = height / std::tan(static_cast<long double>(fov) * std::numbers::pi_v<long double> / 360);
+  const long double largest = std::max(focal, static_cast<long double>(std::max(width, height)));
+  const int scale = kFocalFrac - 1 - std::ilogb(largest);
+  frame.pitch = std::uint64_t{1} << scale;
+  frame.focal = std::min(static_cast<std::uint64_t>(std::llround(std::ldexp(focal, scale))), (std::uint64_t{1} << kFocalFrac) - 1);
+}
+
+void set_matrix(frame_record_t& frame, const Scene& scene) {
+  const Vec3 columns[] = {scene.camera.right(), scene.camera.up(), scene.camera.back()};
+  double largest = 0;
+  for (const Vec3& column : columns)
+    for (int i = 0; i < 3; ++i) {
+      if (!std::isfinite(column[i])) throw SceneError(scene.file, "camera", "the matrix is not finite");
+      largest = std::max(largest, std::abs(column[i]));
+    }
+  if (largest == 0) throw SceneError(scene.file, "camera", "the matrix is zero");
+  int shift = std::ilogb(largest);
+  if (std::ldexp(largest, -shift) > 1 + 0x1p-32) ++shift;  // to the next power of two, but for its last bits
+  rot_t* const fields[] = {&frame.right_x, &frame.right_y, &frame.right_z, &frame.up_x, &frame.up_y,
+                           &frame.up_z,    &frame.back_x,  &frame.back_y,  &frame.back_z};
+  for (int i = 0; i < 9; ++i) *fields[i] = std::llround(std::ldexp(columns[i / 3][i % 3], kMatrixFrac - shift));
+}
+
+}  // namespace
+
+frame_record_t frame_record(const Scene& scene, const Grid& grid, int width, int height) {
+  if (width < 1 || width > kMaxSize || height < 1 || height > kMaxSize)
+    throw SceneError(scene.file, "size", std::to_string(width) + " x " + std::to_string(height) + " is not between 1 x 1 and 4096 x 4096");
+  frame_record_t frame;
+  set_lens(frame, scene, width, height);
+  set_matrix(frame, scene);
+
+  std::uint64_t* const eye[] = {&frame.eye_x, &frame.eye_y, &frame.eye_z};
+  for (int i = 0; i < 3; ++i) {
+    const double x = scene.camera.eye()[i];
+    const bool near = std::isfinite(x) && std::abs(std::ldexp(x, -grid.power)) < 0x1p60;
+    if (!near || !Grid::holds(grid.at(x, i)))
+      throw SceneError(scene.file, "camera", "the eye at " + text_of(x) + " lies outside the grid of the image");
+    *eye[i] = static_cast<std::uint64_t>(grid.at(x, i));
+  }
+
+  frame.background = word(scene.paint.background);
+  frame.colour_a = word(scene.paint.colour_a);
+  frame.colour_b = word(scene.paint.colour_b);
+  const double cells = std::round(std::ldexp(scene.paint.checker_scale, 8));
+  if (!(cells >= 0 && cells < 0x1p18)) throw SceneError(scene.file, "checker", "scale " + text_of(scene.paint.checker_scale) + " is not between 0 and 1023");
+  frame.checker_scale = static_cast<std::uint64_t>(cells);
+  frame.width = static_cast<std::uint64_t>(width);
+  frame.height = static_cast<std::uint64_t>(height);
+  frame.pixel_format = static_cast<std::uint64_t>(scene.pixel_format);
+  const int row = width * static_cast<int>(PixelBytes);
+  frame.stride = static_cast<std::uint64_t>((row + BufferAlign - 1) / BufferAlign * BufferAlign);
+  return frame;
+}
+
+}  // namespace castray

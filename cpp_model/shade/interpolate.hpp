@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mirrors rtl/shade/interpolate.sv: a triangle's normal and texture coordinates at a hit.
+#pragma once
+#include <algorithm>
+
+#include "fixed.hpp"
+
+namespace castray {
+
+// x to the nearest value that `bits` signed bits hold.
+constexpr std::int64_t saturate_signed(std::int64_t x, int bits) {
+  const std::int64_t top = (std::int64_t{1} << (bits - 1)) - 1;
+  return std::clamp(x, -top - 1, top);
+}
+
+// Weights of the corners a, b, c in Q2.16; their sum is exactly one.
+struct weights_t {
+  std::int64_t a = 0, b = 0, c = 0;
+};
+inline weights_t weights_of(bary_t u, bary_t v) {
+  const std::int64_t wu = round_shift(static_cast<std::int64_t>(u), BaryFrac - UnitFrac);
+  const std::int64_t wv = round_shift(static_cast<std::int64_t>(v), BaryFrac - UnitFrac);
+  return {wu, wv, (std::int64_t{1} << UnitFrac) - wu - wv};
+}
+
+inline std::int64_t mix(const weights_t& w, std::int64_t a, std::int64_t b, std::int64_t c, int bits) {
+  return saturate_signed(round_shift(w.a * a + w.b * b + w.c * c, UnitFrac), bits);
+}
+
+inline smooth_t interpolate(const attr_t& attr, bary_t u, bary_t v) {
+  const weights_t w = weights_of(u, v);
+  smooth_t out;
+  out.normal.x = mix(w, attr.na.x, attr.nb.x, attr.nc.x, unit_t_bits);
+  out.normal.y = mix(w, attr.na.y, attr.nb.y, attr.nc.y, unit_t_bits);
+  out.normal.z = mix(w, attr.na.z, attr.nb.z, attr.nc.z, unit_t_bits);
+  if (out.normal == unit3_t{}) out.normal = attr.face;
+  out.s = mix(w, attr.sa, attr.sb, attr.sc, tex_t_bits);
+  out.t = mix(w, attr.ta, attr.tb, attr.tc, tex_t_bits);
+  return out;
+}
+
+}  // namespace castray

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a direction to the ray that it defines, once and for all: the line org + z (sx, sy, 1) on
+// axes permuted so that the dominant one comes last.
+//   dominant_axis   axis, neg, num0, num1, den             ShearDivW bits
+//   div_pipe (two)  q = round(num / den)                   Q1.26, halves up
+//   s0              |S| = min(q, 1 - 2^-26); sx, sy with their signs
+//   s1-s3           sx^2, sy^2                             exact
+//   s4              norm2 = round(1 + sx^2 + sy^2)         Q2.24, halves up
+// A zero direction: valid 0, sx = sy = 0, norm2 = 1, axis 0, neg 0.
+// One ray a cycle, in order; 4 + 29 + 5 stages. Four multipliers of 27x18.
+// Model: cpp_model/camera/ray_setup.hpp, equal bit for bit.
+module ray_setup
+  import castray_cfg_pkg::*;
+  import castray_pkg::*;
+(
+  input  logic       clk_i,
+  input  logic       rst_ni,
+
+  input  camera_t    camera_i,    // held while rays are under way
+
+  input  logic       in_valid_i,
+  output logic       in_ready_o,
+  input  pixel_dir_t in_i,
+
+  output logic       out_valid_o,
+  input  logic       out_ready_i,
+  output ray_t       out_o
+);
+  // What travels beside the divisions.
+  typedef struct packed {
+    pixel_tag_t tag;
+    axis_t      axis;
+    logic       neg;
+    logic       minus0;
+    logic       minus1;
+    logic       valid;
+  } side_t;
+  typedef logic [ShearFrac:0]     quotient_t;
+  typedef logic [2*ShearFrac+1:0] square_t;
+
+  // ---- Dominant axis ----
+  logic                 axis_valid, axis_ready;
+  logic [ShearDivW-1:0] num0, num1, den;
+  side_t                axis_side;
+  dominant_axis #(.tag_t(pixel_tag_t)) u_axis (
+    .clk_i, .rst_ni,
+    .in_valid_i, .in_ready_o, .in_dir_i(in_i.dir), .in_tag_i(in_i.tag),
+    .out_valid_o(axis_valid), .out_ready_i(axis_ready),
+    .out_num0_o(num0), .out_num1_o(num1), .out_den_o(den),
+    .out_minus0_o(axis_side.minus0), .out_minus1_o(axis_side.minus1),
+    .out_axis_o(axis_side.axis), .out_neg_o(axis_side.neg), .out_tag_o(axis_side.tag)
+  );
+  assign axis_side.valid = den[ShearDivW-1];
+
+  // ---- Two divisions in step ----
+  logic      div_valid, div_ready, twin_ready, twin_valid;
+  quotient_t q0, q1;
+  side_t     div_side;
+  logic      twin_tag;
+  div_pipe #(.NumW(ShearDivW), .QFrac(ShearFrac), .BitsPerStage(1), .tag_t(side_t)) u_div0 (
+    .clk_i, .rst_ni,
+    .in_valid_i(axis_valid), .in_ready_o(axis_ready),
+    .in_num_i(num0), .in_den_i(den), .in_tag_i(axis_side),
+    .out_valid_o(div_valid), .out_ready_i(div_ready), .out_q_o(q0), .out_tag_o(div_side)
+  );
+  div_pipe #(.NumW(ShearDivW), .QFrac(ShearFrac), .BitsPerStage(1), .tag_t(logic)) u_div1 (
+    .clk_i, .rst_ni,
+    .in_valid_i(axis_valid), .in_ready_o(twin_ready),
+    .in_num_i(num1), .in_den_i(den), .in_tag_i(1'b0),
+    .out_valid_o(twin_valid), .out_ready_i(div_ready), .out_q_o(q1), .out_tag_o(twin_tag)
+  );
+
+  // ---- Shear and norm ----
+  logic [4:0] load;
+  pipe_chain #(.Stages(5)) u_chain (
+    .clk_i, .rst_ni,
+    .valid_i(div_valid), .ready_o(div_ready),
+    .valid_o(out_valid_o), .ready_i(out_ready_i),
+    .load_o(load)
+  );
+
+  function automatic shear_t signed_shear(quotient_t q, logic minus, logic valid);
+    logic [ShearFrac-1:0] below_one;
+    below_one = !valid ? '0 : q[ShearFrac] ? '1 : q[ShearFrac-1:0];
+    return minus ? -shear_t'({1'b0, below_one}) : shear_t'({1'b0, below_one});
+  endfunction
+
+  // Squares are not negative: their top bit is zero.
+  function automatic norm2_t round_norm(square_t xx, square_t yy);
+    localparam int unsigned Drop = 2 * ShearFrac - NormFrac;
+    logic [2*ShearFrac+1:0] sum;
+    sum = xx + yy + (square_t'(1) << (2 * ShearFrac)) + (square_t'(1) << (Drop - 1));
+    return norm2_t'(sum >> Drop);
+  endfunction
+
+  typedef struct packed {
+    pixel_tag_t tag;
+    axis_t      axis;
+    logic       neg;
+    logic       valid;
+  } rest_t;
+  shear_t  sx_q [5], sy_q [5];
+  rest_t   rest_q [5];
+  norm2_t  norm2_q;
+  square_t xx, yy;
+  mul27 u_xx (.clk_i, .en_i(load[3:1]), .a_i(sx_q[0]), .b_i(sx_q[0]), .p_o(xx));
+  mul27 u_yy (.clk_i, .en_i(load[3:1]), .a_i(sy_q[0]), .b_i(sy_q[0]), .p_o(yy));
+
+  always_ff @(posedge clk_i) begin
+    if (load[0]) begin
+      sx_q[0]   <= signed_shear(q0, div_side.minus0, div_side.valid);
+      sy_q[0]   <= signed_shear(q1, div_side.minus1, div_side.valid);
+      rest_q[0] <= '{tag: div_side.tag, axis: div_side.axis, neg: div_side.neg, valid: div_side.valid};
+    end
+    for (int unsigned i = 1; i < 5; i++) begin
+      if (load[i]) begin
+        sx_q[i]   <= sx_q[i-1];
+        sy_q[i]   <= sy_q[i-1];
+        rest_q[i] <= rest_q[i-1];
+      end
+    end
+    if (load[4]) norm2_q <= round_norm(xx, yy);
+  end
+
+  assign out_o = '{
+    tag: rest_q[4].tag, org: camera_i.eye, sx: sx_q[4], sy: sy_q[4], norm2: norm2_q,
+    axis: rest_q[4].axis, neg: rest_q[4].neg, valid: rest_q[4].valid,
+    cull: 1'b0, any_hit: 1'b0, tmin: '0, tmax: TMax, ignore: NoPrim
+  };
+
+  logic unused_twin;    // the divisions move in step
+  assign unused_twin = twin_ready ^ twin_valid ^ twin_tag;
+  logic unused_camera;  // all but the eye is ray_gen's
+  assign unused_camera = ^camera_i;
+endmodule

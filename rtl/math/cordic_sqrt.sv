@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Square root of a normalised radicand by hyperbolic CORDIC in vectoring mode (Walther, "A unified
+// algorithm for elementary functions", 1971): a fixed number of shifts and adds, no multiplier.
+// rad, 26 bits, in [2^24, 2^26); root = sqrt(rad) in Q13.5. A rad below 2^24 gives 0.
+//   s1          x = rad + C    y = rad - C                           exact
+//   s2..s12     x -= y >> i    y -= x >> i    where y < 0: +=        >> rounds down
+//               i = 1, 2, 3, 4, 4, 5, 6, 7, 8, 9, 10: 4 is repeated, or the steps do not converge
+//   s13         root = round(x / 2^8), halves upwards, at most 2^18 - 1
+// The steps turn (x, y) to y = 0 and leave x = K sqrt(x^2 - y^2) = 2 K sqrt(C rad) with
+// K^2 = the product of 1 - 4^-i. C = 2^24 / K^2 makes that 2^13 sqrt(rad): no product at the end.
+// |atanh(y / x)| = |ln(rad / C)| / 2 is below 0.51; the steps reach 1.12. What is left of the angle
+// is below 2^-10 and adds at most 2^-21 of the root, an eighth of the last place; roundings below
+// 2^8 add less than that. The root is within 3/4 of the last place, where it saturates within 1.
+// One root a cycle, 13 cycles; all stages move together unless the output is blocked.
+// Model: cpp_model/math/cordic_sqrt.hpp, equal bit for bit; its test covers every radicand.
+module cordic_sqrt
+  import castray_cfg_pkg::*;
+#(
+  parameter type tag_t = logic [7:0],
+  localparam int unsigned RadW  = 26,
+  localparam int unsigned RootW = RadW / 2 + RootFrac
+) (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+
+  input  logic             in_valid_i,
+  output logic             in_ready_o,
+  input  logic [RadW-1:0]  in_rad_i,
+  input  tag_t             in_tag_i,
+
+  output logic             out_valid_o,
+  input  logic             out_ready_i,
+  output logic [RootW-1:0] out_root_o,
+  output tag_t             out_tag_o
+);
+  if (RootFrac != 5) begin : g_check
+    $error("cordic_sqrt: its steps are counted for RootFrac 5");
+  end
+
+  localparam int unsigned Steps = 11;
+  localparam logic [27:0] Start = 28'd24461998;  // C, to the nearest integer
+
+  typedef struct packed {
+    logic [27:0] x;   // below 1.4 * 2^26, never negative
+    logic [27:0] y;   // two's complement
+  } turn_t;
+
+  // A radicand that is not normalised starts, and so stays, at x = y = 0.
+  function automatic turn_t first(logic [25:0] rad);
+    if (rad[25:24] == '0) return '0;
+    first.x = {2'b0, rad} + Start;
+    first.y = {2'b0, rad} - Start;
+  endfunction
+
+  function automatic turn_t step(turn_t from, int unsigned shift);
+    logic signed [27:0] x, y, dx, dy;
+    x  = from.x;
+    y  = from.y;
+    dx = y >>> shift;
+    dy = x >>> shift;
+    step.x = (y < 0) ? x + dx : x - dx;
+    step.y = (y < 0) ? y + dy : y - dy;
+  endfunction
+
+  function automatic logic [RootW-1:0] rounded(logic [27:0] x);
+    logic [19:0] root;
+    root = 20'((x + 28'd128) >> 8);
+    return (root[19:RootW] != '0) ? '1 : root[RootW-1:0];
+  endfunction
+
+  logic [Steps+1:0] valid_q;
+  turn_t            turn_q [Steps+1];
+  tag_t             tag_q [Steps+1];
+  logic             move;
+
+  assign move       = !valid_q[Steps+1] || out_ready_i;
+  assign in_ready_o = move;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q <= '0;
+    else if (move) valid_q <= {valid_q[Steps:0], in_valid_i};
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (move && in_valid_i) begin
+      turn_q[0] <= first(in_rad_i);
+      tag_q[0]  <= in_tag_i;
+    end
+  end
+  for (genvar k = 0; k < Steps; k++) begin : g_step
+    always_ff @(posedge clk_i) begin
+      if (move && valid_q[k]) begin
+        turn_q[k+1] <= step(turn_q[k], (k < 4) ? k + 1 : k);
+        tag_q[k+1]  <= tag_q[k];
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (move && valid_q[Steps]) begin
+      out_root_o <= rounded(turn_q[Steps].x);
+      out_tag_o  <= tag_q[Steps];
+    end
+  end
+
+  assign out_valid_o = valid_q[Steps+1];
+endmodule

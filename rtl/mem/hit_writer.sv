@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes the record of each ray, hit or miss, to the hit buffer:
+//   32 bytes at base + 32 (y width + x);  a miss: t = TMax, u = v = 0, numbers all ones
+//   s0  row = y width        12x13, one DSP
+//   s1  index = row + x
+//   s2  address
+// One record a cycle, in order, latency 3. base_i (a multiple of 32) and width_i stand still.
+// Model: cpp_model/mem/hit_record.hpp, equal bit for bit.
+module hit_writer
+  import castray_pkg::*;
+  import castray_image_pkg::*;
+(
+  input  logic        clk_i,
+  input  logic        rst_ni,
+
+  input  addr_t       base_i,
+  input  logic [12:0] width_i,
+
+  input  logic        in_valid_i,
+  output logic        in_ready_o,
+  input  hit_t        in_i,
+
+  output logic        out_valid_o,
+  input  logic        out_ready_i,
+  output write_req_t  out_o
+);
+  localparam int unsigned Stages = 3;
+  typedef logic [24:0] index_t;    // up to 4095 x 4096 + 4095
+
+  // What a record holds of a hit.
+  typedef struct packed {
+    logic  found;
+    prim_t number;
+    t_t    t;
+    bary_t u;
+    bary_t v;
+  } kept_t;
+
+  function automatic index_t row_start(pixel_t y, logic [12:0] width);
+    return index_t'(y) * index_t'(width);
+  endfunction
+  function automatic addr_t place(addr_t base, index_t index);
+    return base + (addr_t'(index) << $clog2(HitBytes));
+  endfunction
+  function automatic hit_record_t record_of(kept_t hit);
+    logic signed [31:0] t;
+    t = 32'(hit.t);
+    return '{
+      reserved:    '0,
+      instance_id: hit.found ? '0 : '1,
+      prim:        hit.found ? 32'(hit.number) : '1,
+      v:           hit.found ? 32'(hit.v) : '0,
+      u:           hit.found ? 32'(hit.u) : '0,
+      t:           hit.found ? t : 32'(TMax)
+    };
+  endfunction
+
+  logic [Stages-1:0] load;
+  pipe_chain #(.Stages(Stages)) u_chain (
+    .clk_i, .rst_ni,
+    .valid_i(in_valid_i), .ready_o(in_ready_o),
+    .valid_o(out_valid_o), .ready_i(out_ready_i), .load_o(load)
+  );
+
+  index_t row_q, index_q;
+  pixel_t x_q;
+  addr_t  addr_q;
+  kept_t  kept_q [Stages];
+  always_ff @(posedge clk_i) begin
+    if (load[0]) begin
+      row_q     <= row_start(in_i.tag.y, width_i);
+      x_q       <= in_i.tag.x;
+      kept_q[0] <= '{found: in_i.found, number: in_i.number, t: in_i.t, u: in_i.u, v: in_i.v};
+    end
+    if (load[1]) index_q <= row_q + index_t'(x_q);
+    if (load[2]) addr_q <= place(base_i, index_q);
+    for (int unsigned i = 1; i < Stages; i++) if (load[i]) kept_q[i] <= kept_q[i-1];
+  end
+
+  assign out_o = '{
+    addr:  addr_q,
+    beats: 3'(HitBytes / StrbW),
+    strb:  64'({HitBytes{1'b1}}),
+    data:  512'(record_of(kept_q[Stages-1]))
+  };
+endmodule

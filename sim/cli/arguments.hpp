@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Options that several commands take: which scene at which size, and on which core.
+#pragma once
+#include <string>
+
+#include "command.hpp"
+#include "rtl_device.hpp"
+#include "scene/scene.hpp"
+
+namespace castray::cli {
+
+struct SceneArguments {
+  std::string file;
+  std::string size;  // empty: the scene's own
+
+  void add_to(CLI::App& command);
+  // Loads the scene, its width and height those asked for, and prints its warnings, and what was
+  // chosen where it left something open, to stderr.
+  Scene load() const;
+};
+
+struct CoreArguments {
+  int lanes = 3;
+  int contexts = 32;
+  int tile = 8;
+  std::string memory = "reference";
+  std::string stalls = "none";
+  bool reorder = false;
+  std::uint64_t seed = 1;
+
+  void add_to(CLI::App& command);
+  sim::RtlOptions options() const;
+  // The options that differ from their defaults, as on a command line.
+  std::string text() const;
+};
+
+}  // namespace castray::cli

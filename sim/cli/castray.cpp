@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program: renders scenes on the simulated core, the model or the references, and looks into it.
+#include <cstdio>
+
+#include "castray_commit.hpp"
+#include "castray_records.hpp"
+#include "command.hpp"
+#include "driver.hpp"
+#include "picture.hpp"
+#include "scene/scene.hpp"
+
+namespace castray::cli {
+namespace {
+
+constexpr const char* kFooter =
+    "Exit codes: 0 all is well, 1 something that must be equal is not, 2 bad input,\n"
+    "3 the core ended with an error code, 4 the core hangs or is not of this build,\n"
+    "5 the core broke a rule of its bus, 6 an output cannot be written, 7 internal error.";
+
+int complain(ExitCode code, const char* what) {
+  std::fprintf(stderr, "castray: %s\n", what);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  int code = kOk;
+  CLI::App app("castray: a ray tracer in hardware, simulated", "castray");
+  const std::string version =
+      std::to_string(VersionMajor) + "." + std::to_string(VersionMinor) + "." + std::to_string(VersionPatch);
+  app.set_version_flag("--version", "castray " + version + " (" + kCommit + ")");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  add_render(app, code);
+  add_ray(app, code);
+  add_info(app, code);
+  add_compare(app, code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& e) {
+    return app.exit(e);  // --help, --version
+  } catch (const CLI::ParseError& e) {
+    return complain(kBadInput, e.what());
+  }
+  return code;
+}
+
+}  // namespace
+}  // namespace castray::cli
+
+int main(int argc, char** argv) {
+  using namespace castray;
+  using namespace castray::cli;
+  try {
+    return run(argc, argv);
+  } catch (const SceneError& e) {
+    return complain(kBadInput, e.what());
+  } catch (const InputError& e) {
+    return complain(kBadInput, e.what());
+  } catch (const sim::PictureError& e) {
+    return complain(kBadOutput, e.what());
+  } catch (const sim::DeviceError& e) {
+    return complain(kHang, e.what());
+  } catch (const std::exception& e) {
+    return complain(kInternal, e.what());
+  }
+}

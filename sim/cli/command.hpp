@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands of the program share.
+#pragma once
+#include <CLI/CLI.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace castray::cli {
+
+// What the program returns to the shell.
+enum ExitCode : int {
+  kOk = 0,
+  kMismatch = 1,     // something that must be equal is not
+  kBadInput = 2,     // an option, a scene, a picture to compare
+  kDeviceError = 3,  // the core ended the job with an error code
+  kHang = 4,         // the core did not come back, or is not of this build
+  kBusRules = 5,     // the core broke a rule of its bus
+  kBadOutput = 6,    // a file could not be written
+  kInternal = 7,     // anything else
+};
+
+// Wrong input that no library noticed: what() is one line.
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Each adds one command to the program; its callback leaves the exit code in `code`.
+void add_render(CLI::App& app, int& code);
+void add_ray(CLI::App& app, int& code);
+void add_info(CLI::App& app, int& code);
+void add_compare(CLI::App& app, int& code);
+
+}  // namespace castray::cli

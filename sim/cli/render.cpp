@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// castray render: a scene to a picture, on any engine.
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+
+#include "arguments.hpp"
+#include "castray_commit.hpp"
+#include "comparison.hpp"
+#include "error_text.hpp"
+#include "frame_run.hpp"
+#include "picture.hpp"
+#include "progress_bar.hpp"
+#include "reference/float32.hpp"
+#include "reference_check.hpp"
+#include "report.hpp"
+#include "scene/files.hpp"
+#include "scene/load.hpp"
+#include "summary.hpp"
+
+namespace castray::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Arguments {
+  SceneArguments scene;
+  CoreArguments core;
+  std::string engine = "rtl";
+  std::string output;
+  std::string aov, json, frame, hits, save_scene;
+  std::string trace, trace_window;
+  bool check = false;
+  bool float64 = false;
+  bool z_order = false;
+
+  bool on_device() const { return engine == "rtl" || engine == "model"; }
+};
+
+class Render {
+ public:
+  explicit Render(const Arguments& arguments) : args_(arguments), scene_(args_.scene.load()) {}
+
+  ExitCode run() {
+    if (args_.check && args_.engine != "rtl") throw InputError("--check: only --engine rtl is compared with the model");
+    if (!args_.on_device() && (!args_.hits.empty() || !args_.frame.empty() || args_.float64))
+      throw InputError("--hits, --frame, --against-float64: only with --engine rtl or model");
+    if (!args_.trace_window.empty() && args_.trace.empty()) throw InputError("--trace-window: needs --trace FILE");
+    if (output().extension().empty()) throw InputError("--output " + output().string() + ": the suffix says which format");
+    for (const fs::path& file : {output(), fs::path(args_.aov), fs::path(args_.json), fs::path(args_.frame), fs::path(args_.hits)})
+      if (!file.empty()) sim::check_writable(file);
+    if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
+    report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", "brute"},
+               {"commit", kCommit}, {"width", scene_.width}, {"height", scene_.height},
+               {"pixels", static_cast<std::size_t>(scene_.width) * static_cast<std::size_t>(scene_.height)}};
+    const ExitCode code = args_.on_device() ? on_device() : on_reference();
+    if (!args_.json.empty()) write_json(args_.json, report_);
+    return code;
+  }
+
+ private:
+  fs::path output() const {
+    return args_.output.empty() ? fs::path(fs::path(args_.scene.file).stem().string() + ".png") : fs::path(args_.output);
+  }
+
+  sim::Metadata metadata() const {
+    sim::Metadata metadata{{"castray:scene", fs::path(args_.scene.file).filename().string()},
+                           {"castray:engine", args_.engine}, {"castray:commit", kCommit}};
+    if (args_.engine == "rtl") {
+      metadata.emplace_back("castray:seed", std::to_string(args_.core.seed));
+      metadata.emplace_back("castray:cycles", std::to_string(report_["cycles"].get<std::uint64_t>()));
+    }
+    return metadata;
+  }
+
+  sim::Progress progress(ProgressBar& bar) const {
+    return [&bar](double fraction, std::uint64_t cycles) { bar.show(fraction, cycles); };
+  }
+
+  // ---- RTL and model ----
+  ExitCode on_device() {
+    image_ = compile(scene_, scene_.width, scene_.height);
+    for (const std::string& line : image_.warnings) std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
+    ExitCode code = kOk;
+    const sim::Rendering rendering = args_.engine == "rtl" ? on_rtl(code) : on_model();
+    if (rendering.error != ErrNone) {
+      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error), sim::error_text(rendering.error));
+      report_["error"] = static_cast<int>(rendering.error);
+      return kDeviceError;
+    }
+    if (args_.check && !equals_model(rendering)) code = kMismatch;
+    if (args_.float64) against_float64(rendering);
+    sim::write_picture(output(), sim::picture_of(rendering, scene_.pixel_format), metadata());
+    if (!args_.aov.empty()) sim::write_aov(args_.aov, rendering, image_, metadata());
+    if (!args_.frame.empty()) write_raw(args_.frame, rendering.pixels.data(), rendering.pixels.size() * PixelBytes);
+    if (!args_.hits.empty()) write_raw(args_.hits, rendering.hits.data(), rendering.hits.size());
+    std::printf("wrote %s\n", output().c_str());
+    return code;
+  }
+
+  sim::Rendering on_rtl(ExitCode& code) {
+    sim::RtlOptions device = args_.core.options();
+    device.trace_file = args_.trace_window.empty() ? "" : args_.trace;
+    if (!args_.trace_window.empty()) set_window(device);
+    // Without a use for the hit records the core is not asked for them: they cost it cycles.
+    const bool hits = args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty();
+    ProgressBar bar("rendering");
+    const sim::RtlRun run = sim::run_rtl(image_, device, {hits, args_.z_order, {}}, progress(bar));
+    report_.update(report_of(run, device));
+    std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, run.device.c_str());
+    print_work(run.rendering, run.seconds);
+    print_run(run);
+    if (run.violations > 0) code = kBusRules;
+    return run.rendering;
+  }
+
+  sim::Rendering on_model() {
+    ProgressBar bar("rendering");
+    const auto start = std::chrono::steady_clock::now();
+    const sim::Rendering rendering = sim::run_model(image_, {true, args_.z_order, {}}, progress(bar));
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report_.update(report_of(rendering));
+    report_["seconds"] = seconds;
+    std::printf("%s, %dx%d: bit-accurate model\n", args_.scene.file.c_str(), scene_.width, scene_.height);
+    print_work(rendering, seconds);
+    return rendering;
+  }
+
+  void set_window(sim::RtlOptions& device) const {
+    unsigned long long first = 0, last = 0;
+    int end = 0;
+    const bool two = std::sscanf(args_.trace_window.c_str(), "%llu:%llu%n", &first, &last, &end) == 2;
+    if (!two || static_cast<std::size_t>(end) != args_.trace_window.size() || first >= last)
+      throw InputError("--trace-window " + args_.trace_window + ": not of the form FIRST:LAST, in cycles");
+    device.trace_first = first;
+    device.trace_last = last;
+  }
+
+  // ---- Comparisons ----
+  bool equals_model(const sim::Rendering& rendering) {
+    ProgressBar bar("model");
+    const sim::Rendering expected = sim::run_model(image_, {true, args_.z_order, {}}, progress(bar));
+    const sim::Comparison comparison = sim::compare(rendering, expected);
+    const bool work = rendering.counters[CntTests] == expected.counters[CntTests] && rendering.counters[CntHits] == expected.counters[CntHits];
+    report_["pixels_differ"] = comparison.pixels_differ;
+    report_["hits_differ"] = comparison.hits_differ;
+    print_comparison(comparison, rendering);
+    if (!work) std::printf("  the counters of tests or hits differ from the model's\n");
+    for (const std::size_t i : comparison.first) explain(i, rendering, expected);
+    if (!comparison.first.empty() && !args_.trace.empty() && args_.trace_window.empty()) trace_pixel(comparison.first[0]);
+    return comparison.equal() && work;
+  }
+
+  void explain(std::size_t i, const sim::Rendering& rendering, const sim::Rendering& expected) const {
+    const auto width = static_cast<std::size_t>(scene_.width);
+    const std::size_t x = i % width, y = i / width;
+    std::printf("  (%zu, %zu)\n    rtl    %s\n    model  %s\n    castray ray %s %zu %zu --size %dx%d%s\n", x, y,
+                sim::text_of(rendering, i).c_str(), sim::text_of(expected, i).c_str(), args_.scene.file.c_str(), x, y,
+                scene_.width, scene_.height, args_.core.text().c_str());
+  }
+
+  // Renders the one pixel again, with waveforms.
+  void trace_pixel(std::size_t i) const {
+    const int x = static_cast<int>(i) % scene_.width, y = static_cast<int>(i) / scene_.width;
+    sim::RtlOptions device = args_.core.options();
+    device.trace_file = args_.trace;
+    sim::run_rtl(image_, device, {true, args_.z_order, sim::PixelWindow{x, y, x + 1, y + 1}});
+    std::printf("wrote %s, the waveforms of pixel (%d, %d)\n", args_.trace.c_str(), x, y);
+  }
+
+  void against_float64(const sim::Rendering& rendering) {
+    ProgressBar bar("float64");
+    const ReferenceFrame reference = trace_float64(scene_, scene_.width, scene_.height, 0, [&](int rows) {
+      bar.show(static_cast<double>(rows) / scene_.height, 0);
+    });
+    const sim::ReferenceCheck check = sim::check_reference(scene_, image_, rendering, reference);
+    print_reference(check);
+    report_["float64"] = {{"other_primitive", check.other_primitive}, {"other_cell", check.other_cell},
+                          {"far_colour", check.far_colour}, {"worst_channel", check.worst}};
+  }
+
+  // ---- References ----
+  ExitCode on_reference() {
+    const auto start = std::chrono::steady_clock::now();
+    ReferenceFrame frame;
+    {
+      ProgressBar bar("rendering");
+      const auto rows = [&](int done) { bar.show(static_cast<double>(done) / scene_.height, 0); };
+      frame = args_.engine == "float64" ? trace_float64(scene_, scene_.width, scene_.height, 0, rows)
+                                        : trace_float32(scene_, scene_.width, scene_.height, 0, rows);
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    report_["hits"] = frame.hits;
+    report_["seconds"] = seconds;
+    std::printf("%s, %dx%d: %s on this processor\n  hits %s\n  %.2f s\n", args_.scene.file.c_str(), scene_.width, scene_.height,
+                args_.engine.c_str(), grouped(frame.hits).c_str(), seconds);
+    sim::write_picture(output(), sim::picture_of(frame), metadata());
+    if (!args_.aov.empty()) sim::write_aov(args_.aov, frame, metadata());
+    std::printf("wrote %s\n", output().c_str());
+    return kOk;
+  }
+
+  void write_raw(const std::string& file, const void* data, std::size_t bytes) const {
+    try {
+      write_file(file, std::string(static_cast<const char*>(data), bytes));
+    } catch (const SceneError& e) {
+      throw sim::PictureError(e.what());
+    }
+  }
+
+  const Arguments& args_;
+  Scene scene_;
+  SceneImage image_;
+  Json report_;
+};
+
+}  // namespace
+
+void add_render(CLI::App& app, int& code) {
+  CLI::App* command = app.add_subcommand("render", "render a scene to a picture");
+  const auto args = std::make_shared<Arguments>();
+  args->scene.add_to(*command);
+  command->add_option("--engine", args->engine, "rtl: the simulated core; model: its bit-accurate model; float64, float32: references")
+      ->check(CLI::IsMember({"rtl", "model", "float64", "float32"}))->capture_default_str();
+  args->core.add_to(*command);
+  command->add_option("-o,--output", args->output, "the picture; its suffix says which format; else SCENE.png here");
+  command->add_option("--aov", args->aov, "EXR of the hits: raw records, and distances, u, v, primitives for people");
+  command->add_option("--json", args->json, "a report");
+  command->add_option("--frame", args->frame, "the raw words of the frame buffer");
+  command->add_option("--hits", args->hits, "the raw hit records, 32 bytes a pixel");
+  command->add_option("--save-scene", args->save_scene, "the scene as JSON, all defaults filled in");
+  command->add_flag("--check", args->check, "compare every pixel and every raw hit record with the model");
+  command->add_flag("--against-float64", args->float64, "count the pixels that differ from the float64 reference");
+  command->add_flag("--z-order", args->z_order, "walk the tiles along a Z curve, not in rows");
+  command->add_option("--trace", args->trace, "waveforms (FST): of --trace-window, or with --check of the first pixel that differs");
+  command->add_option("--trace-window", args->trace_window, "FIRST:LAST, cycles since power-up");
+  command->callback([args, &code] { code = Render(*args).run(); });
+}
+
+}  // namespace castray::cli

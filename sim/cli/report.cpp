@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report.hpp"
+
+#include "picture.hpp"
+#include "scene/files.hpp"
+
+namespace castray::cli {
+
+using Json = nlohmann::ordered_json;
+
+Json report_of(const sim::Rendering& rendering) {
+  static constexpr std::pair<std::int64_t, const char*> kNames[] = {
+      {CntCycles, "cycles"},           {CntTests, "tests"},          {CntRays, "rays"},
+      {CntHits, "hits"},               {CntCandidates, "candidates"}, {CntBatches, "batches"},
+      {CntTestStalls, "test_stalls"},  {CntFetchStalls, "fetch_stalls"}, {CntAttrHits, "attr_hits"},
+      {CntAttrMisses, "attr_misses"},  {CntReadBeats, "read_beats"}, {CntWriteBeats, "write_beats"}};
+  static_assert(std::size(kNames) == Counters);
+  Json json;
+  for (const auto& [index, name] : kNames) json[name] = rendering.counters[static_cast<std::size_t>(index)];
+  return json;
+}
+
+Json report_of(const sim::RtlRun& run, const sim::RtlOptions& options) {
+  Json json;
+  json["lanes"] = options.variant.lanes;
+  json["contexts"] = options.variant.contexts;
+  json["tile"] = 1 << options.variant.tile_log2;
+  json["ports"] = 1;
+  json["memory"] = options.timing.name;
+  json["stalls"] = options.stalls == "none" ? Json() : Json(options.stalls);
+  json["seed"] = options.seed;
+  json.update(report_of(run.rendering));
+  json["seconds"] = run.seconds;
+  json["cycles_per_second"] = run.cycles_per_second();
+  json["bus"] = {{"reads", run.bus.reads},           {"read_beats", run.bus.read_beats},
+                 {"writes", run.bus.writes},         {"write_beats", run.bus.write_beats},
+                 {"bytes_written", run.bus.bytes_written}, {"most_reads", run.bus.most_reads},
+                 {"most_writes", run.bus.most_writes}, {"rules_broken", run.violations}};
+  if (options.stalls != "none") {
+    Json shares;
+    for (unsigned i = 0; i < sim::kChannels; ++i)
+      shares[sim::kChannelNames[i]] = {{"wanted", run.shares[i].wanted}, {"blocked", run.shares[i].blocked}, {"share", run.shares[i].share()}};
+    json["stall_shares"] = shares;
+  }
+  return json;
+}
+
+void write_json(const std::filesystem::path& file, const Json& json) {
+  try {
+    write_file(file, json.dump(2) + "\n");
+  } catch (const SceneError& e) {
+    throw sim::PictureError(e.what());
+  }
+}
+
+}  // namespace castray::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "comparison.hpp"
+
+#include <cstdio>
+#include <cstring>
+
+namespace castray::sim {
+namespace {
+constexpr std::size_t kFirst = 8;
+}
+
+Comparison compare(const Rendering& a, const Rendering& b) {
+  Comparison result;
+  if (a.width != b.width || a.height != b.height) {
+    result.pixels_differ = result.hits_differ = std::max(a.pixels.size(), b.pixels.size());
+    return result;
+  }
+  const bool hits = !a.hits.empty() && !b.hits.empty();
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const bool pixel = a.pixels[i] != b.pixels[i];
+    const bool hit = hits && std::memcmp(&a.hits[i * HitBytes], &b.hits[i * HitBytes], HitBytes) != 0;
+    result.pixels_differ += pixel;
+    result.hits_differ += hit;
+    if ((pixel || hit) && result.first.size() < kFirst) result.first.push_back(i);
+  }
+  return result;
+}
+
+std::string text_of(const Rendering& rendering, std::size_t pixel) {
+  char word[16];
+  std::snprintf(word, sizeof word, "0x%08x", rendering.pixels[pixel]);
+  std::string text = std::string("pixel ") + word;
+  if (!rendering.hits.empty()) text += ", hit " + to_text(rendering.hit(pixel));
+  return text;
+}
+
+}  // namespace castray::sim

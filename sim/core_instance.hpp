@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// A Verilated class of castray_core behind CoreModel. A cycle: drive with the clock low, evaluate,
+// let the memory see the settled outputs, raise the clock.
+#pragma once
+#include <verilated.h>
+#include <verilated_fst_c.h>
+
+#include <stdexcept>
+
+#include "core_model.hpp"
+
+namespace castray::sim {
+
+template <class V> class CoreInstance final : public CoreModel {
+ public:
+  explicit CoreInstance(std::uint64_t seed) {
+    context_->randReset(2);
+    context_->randSeed(static_cast<int>(seed % 0x7fffffff));
+    context_->traceEverOn(true);
+    top_ = std::make_unique<V>(context_.get());
+    top_->clk_i = 0;
+    top_->rst_ni = 0;
+    lite_idle();
+    put({});
+  }
+  ~CoreInstance() override {
+    if (fst_) fst_->close();
+    top_->final();
+  }
+
+  bool run(AxiMemory& memory, std::uint64_t cycles) override {
+    while (cycles > 0) {
+      const std::uint64_t some = std::min(cycles, until_trace_changes());
+      if (tracing() ? run_some<true>(memory, some) : run_some<false>(memory, some)) return true;
+      cycles -= some;
+    }
+    return false;
+  }
+
+  void write_reg(AxiMemory& memory, unsigned offset, std::uint32_t value) override {
+    V& v = *top_;
+    v.s_axi_awvalid_i = v.s_axi_wvalid_i = 1;
+    v.s_axi_awaddr_i = static_cast<std::uint16_t>(offset);
+    v.s_axi_wdata_i = value;
+    v.s_axi_wstrb_i = 0xf;
+    v.s_axi_bready_i = 1;
+    access(memory, "write", offset, [&] {
+      const bool address = v.s_axi_awvalid_i && v.s_axi_awready_o;
+      const bool data = v.s_axi_wvalid_i && v.s_axi_wready_o;
+      const bool done = v.s_axi_bvalid_o;
+      return [&v, address, data, done] {
+        if (address) v.s_axi_awvalid_i = 0;
+        if (data) v.s_axi_wvalid_i = 0;
+        return done;
+      };
+    });
+  }
+
+  std::uint32_t read_reg(AxiMemory& memory, unsigned offset) override {
+    V& v = *top_;
+    v.s_axi_arvalid_i = 1;
+    v.s_axi_araddr_i = static_cast<std::uint16_t>(offset);
+    v.s_axi_rready_i = 1;
+    std::uint32_t value = 0;
+    access(memory, "read", offset, [&] {
+      const bool address = v.s_axi_arvalid_i && v.s_axi_arready_o;
+      const bool done = v.s_axi_rvalid_o;
+      if (done) value = v.s_axi_rdata_o;
+      return [&v, address, done] {
+        if (address) v.s_axi_arvalid_i = 0;
+        return done;
+      };
+    });
+    return value;
+  }
+
+  void reset(AxiMemory& memory, unsigned cycles) override {
+    top_->rst_ni = 0;
+    lite_idle();
+    for (unsigned i = 0; i < cycles; ++i) {
+      put(memory.drive());
+      top_->clk_i = 0;
+      top_->eval();
+      dump();
+      memory.reset(i == 0 ? AxiManager{} : signals());
+      edge<true>(memory);
+    }
+    top_->rst_ni = 1;
+  }
+
+  void trace(const std::string& file, std::uint64_t first, std::uint64_t last) override {
+    trace_file_ = file;
+    trace_first_ = first;
+    trace_last_ = last;
+  }
+
+  std::uint64_t cycle() const override { return cycle_; }
+
+ private:
+  // ---- Signals ----
+  void lite_idle() {
+    V& v = *top_;
+    v.s_axi_awvalid_i = v.s_axi_wvalid_i = v.s_axi_bready_i = v.s_axi_arvalid_i = v.s_axi_rready_i = 0;
+  }
+
+  void put(const AxiSubordinate& s) {
+    V& v = *top_;
+    v.m_axi_arready_i = s.ar_ready;
+    v.m_axi_awready_i = s.aw_ready;
+    v.m_axi_wready_i = s.w_ready;
+    v.m_axi_rvalid_i = s.r_valid;
+    v.m_axi_rid_i = s.r_id;
+    v.m_axi_rresp_i = s.r_response;
+    v.m_axi_rlast_i = s.r_last;
+    for (int i = 0; i < 4; ++i) v.m_axi_rdata_i[i] = s.r_data[i];
+    v.m_axi_bvalid_i = s.b_valid;
+    v.m_axi_bid_i = s.b_id;
+    v.m_axi_bresp_i = s.b_response;
+  }
+
+  AxiManager signals() const {
+    V& v = *top_;
+    AxiManager m;
+    m.ar_valid = v.m_axi_arvalid_o;
+    m.aw_valid = v.m_axi_awvalid_o;
+    m.w_valid = v.m_axi_wvalid_o;
+    m.r_ready = v.m_axi_rready_o;
+    m.b_ready = v.m_axi_bready_o;
+    if (m.ar_valid)
+      m.ar = {v.m_axi_araddr_o, v.m_axi_arid_o, v.m_axi_arlen_o, v.m_axi_arsize_o, v.m_axi_arburst_o, v.m_axi_arcache_o};
+    if (m.aw_valid)
+      m.aw = {v.m_axi_awaddr_o, v.m_axi_awid_o, v.m_axi_awlen_o, v.m_axi_awsize_o, v.m_axi_awburst_o, v.m_axi_awcache_o};
+    if (m.w_valid) {
+      for (int i = 0; i < 4; ++i) m.w.data[i] = v.m_axi_wdata_o[i];
+      m.w.strobes = v.m_axi_wstrb_o;
+      m.w.last = v.m_axi_wlast_o;
+    }
+    return m;
+  }
+
+  // ---- Cycles ----
+  template <bool kTrace> bool run_some(AxiMemory& memory, std::uint64_t cycles) {
+    V& v = *top_;
+    for (; cycles > 0; --cycles) {
+      settle<kTrace>(memory);
+      edge<kTrace>(memory);
+      if (v.irq_o) return true;
+    }
+    return false;
+  }
+
+  template <bool kTrace> void settle(AxiMemory& memory) {
+    V& v = *top_;
+    if (memory.moved()) put(memory.drive());
+    v.clk_i = 0;
+    v.eval();
+    if (kTrace) dump();
+    if (memory.asleep() && !(v.m_axi_arvalid_o | v.m_axi_awvalid_o | v.m_axi_wvalid_o)) memory.skip();
+    else memory.step(signals());
+  }
+
+  template <bool kTrace> void edge(AxiMemory&) {
+    top_->clk_i = 1;
+    top_->eval();
+    ++cycle_;
+    if (kTrace) dump();
+  }
+
+  // sample() looks at the settled ports and returns what to do after the edge: true ends the access.
+  template <class Sample> void access(AxiMemory& memory, const char* what, unsigned offset, Sample&& sample) {
+    for (int i = 0; i < 1000; ++i) {
+      settle<true>(memory);
+      const auto after = sample();
+      edge<true>(memory);
+      if (after()) return lite_idle();
+    }
+    throw std::runtime_error("the core does not answer the " + std::string(what) + " of register " + std::to_string(offset));
+  }
+
+  // ---- Waveforms ----
+  bool tracing() const { return cycle_ >= trace_first_ && cycle_ < trace_last_; }
+  std::uint64_t until_trace_changes() const {
+    if (cycle_ < trace_first_) return trace_first_ - cycle_;
+    return cycle_ < trace_last_ ? trace_last_ - cycle_ : ~std::uint64_t{0};
+  }
+  void dump() {
+    if (!tracing()) {
+      if (fst_ && cycle_ >= trace_last_) {
+        fst_->close();
+        fst_.reset();
+      }
+      return;
+    }
+    if (!fst_) {
+      fst_ = std::make_unique<VerilatedFstC>();
+      top_->trace(fst_.get(), 99);
+      fst_->open(trace_file_.c_str());
+      if (!fst_->isOpen()) throw std::runtime_error(trace_file_ + ": cannot write the waveforms");
+    }
+    fst_->dump(2 * cycle_ + (top_->clk_i ? 0 : 1));
+  }
+
+  std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
+  std::unique_ptr<V> top_;
+  std::unique_ptr<VerilatedFstC> fst_;
+  std::string trace_file_;
+  std::uint64_t trace_first_ = 0;
+  std::uint64_t trace_last_ = 0;
+  std::uint64_t cycle_ = 0;
+};
+
+}  // namespace castray::sim

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core_model.hpp"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+
+namespace castray::sim {
+namespace {
+
+std::string count(int n, const char* noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
+
+// The folder `cores` beside this program, or beside one of the folders it lies in.
+std::filesystem::path cores_folder() {
+  std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (; folder.has_relative_path(); folder = folder.parent_path())
+    if (std::filesystem::is_directory(folder / "cores")) return folder / "cores";
+  throw std::runtime_error("no folder build/cores: build a core first, for example with 'make build/cores/l3c32t3.so'");
+}
+
+}  // namespace
+
+std::string CoreVariant::file() const {
+  return "l" + std::to_string(lanes) + "c" + std::to_string(contexts) + "t" + std::to_string(tile_log2) + ".so";
+}
+
+std::string text_of(const CoreVariant& variant) {
+  const std::string side = std::to_string(1 << variant.tile_log2);
+  return count(variant.lanes, "lane") + ", " + count(variant.contexts, "context") + " each, tiles of " + side + "x" + side;
+}
+
+std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed) {
+  const std::filesystem::path file = cores_folder() / variant.file();
+  if (!std::filesystem::exists(file))
+    throw std::runtime_error("no core of " + text_of(variant) + " was built: make build/cores/" + variant.file());
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded
+  if (!library) throw std::runtime_error(dlerror());
+  const auto factory = reinterpret_cast<CoreFactory>(dlsym(library, kCoreFactory));
+  if (!factory) throw std::runtime_error(dlerror());
+  return std::unique_ptr<CoreModel>(factory(seed));
+}
+
+}  // namespace castray::sim

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Verilated core without the name of its class. Every build variant (lanes, contexts, tile size)
+// is a shared object of its own under build/cores, made from core_instance.cpp (tools/core.mk), so
+// that a program needs only those that it uses.
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "axi_memory.hpp"
+
+namespace castray::sim {
+
+struct CoreVariant {
+  int lanes = 3;
+  int contexts = 32;
+  int tile_log2 = 3;
+  auto operator<=>(const CoreVariant&) const = default;
+
+  std::string file() const;  // l3c32t3.so
+};
+
+class CoreModel {
+ public:
+  virtual ~CoreModel() = default;
+
+  // At most so many clock cycles; true as soon as the interrupt is high.
+  virtual bool run(AxiMemory& memory, std::uint64_t cycles) = 0;
+
+  // One access each on the AXI4-Lite port; throws std::runtime_error if the core does not answer.
+  virtual void write_reg(AxiMemory& memory, unsigned offset, std::uint32_t value) = 0;
+  virtual std::uint32_t read_reg(AxiMemory& memory, unsigned offset) = 0;
+
+  virtual void reset(AxiMemory& memory, unsigned cycles) = 0;
+  // Waveforms (FST) of the cycles first <= cycle < last, counted since construction.
+  virtual void trace(const std::string& file, std::uint64_t first, std::uint64_t last) = 0;
+  virtual std::uint64_t cycle() const = 0;
+};
+
+// The one symbol of a variant's shared object.
+using CoreFactory = CoreModel* (*)(std::uint64_t seed);
+inline constexpr const char* kCoreFactory = "castray_make_core";
+
+// Throws std::runtime_error with the command that builds it if this variant was not built.
+std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed);
+std::string text_of(const CoreVariant& variant);
+
+}  // namespace castray::sim

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver.hpp"
+
+#include <cstdio>
+#include <cstring>
+
+#include "mem/image.hpp"
+
+namespace castray::sim {
+namespace {
+
+constexpr std::uint8_t kUntouched = 0xa5;  // what the buffers hold before the core writes them
+
+std::string hex(std::uint32_t value) {
+  char text[16];
+  std::snprintf(text, sizeof text, "0x%08x", value);
+  return text;
+}
+
+std::uint32_t pair(int low, int high) { return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16; }
+
+}  // namespace
+
+hit_record_t Rendering::hit(std::size_t pixel) const { return load_record<hit_record_t>(&hits[pixel * HitBytes]); }
+
+Driver::Driver(Device& device) : device_(device) {
+  const auto expect = [&](const char* what, std::int64_t reg, std::int64_t expected) {
+    const std::uint32_t got = device_.read_reg(static_cast<unsigned>(reg));
+    const auto wanted = static_cast<std::uint32_t>(expected);
+    if (got != wanted) throw DeviceError(std::string("the device's ") + what + " register holds " + hex(got) + ", this program needs " + hex(wanted));
+  };
+  expect("version", RegVersion, VersionMajor << 16 | VersionMinor << 8 | VersionPatch);
+  expect("parameters", RegParameters, ImageParameters);
+}
+
+Driver::~Driver() { release(); }
+
+void Driver::release() {
+  for (Buffer* buffer : {&image_, &frame_, &hits_}) {
+    if (buffer->bytes) device_.release(*buffer);
+    *buffer = {};
+  }
+}
+
+void Driver::load(const SceneImage& image) {
+  release();
+  record_ = image.frame;
+  image_ = device_.allocate(image.bytes.size());
+  frame_ = device_.allocate(record_.stride * record_.height);
+  hits_ = device_.allocate(record_.width * record_.height * HitBytes);
+  device_.write(image_.address, image.bytes);
+}
+
+void Driver::set_pointer(std::int64_t reg, std::uint64_t address) {
+  set(reg, static_cast<std::uint32_t>(address));
+  set(reg + 4, static_cast<std::uint32_t>(address >> 32));
+}
+
+void Driver::set_arguments(const RenderOptions& options) {
+  want_hits_ = options.hits;
+  set_pointer(RegImage, image_.address);
+  set_pointer(RegFrame, frame_.address);
+  set_pointer(RegHits, options.hits ? hits_.address : 0);
+  set(RegImageBytes, static_cast<std::uint32_t>(image_.bytes));
+  set(RegFrameBytes, static_cast<std::uint32_t>(frame_.bytes));
+  set(RegHitsBytes, options.hits ? static_cast<std::uint32_t>(hits_.bytes) : 0);
+  set(RegFrameSize, pair(static_cast<int>(record_.width), static_cast<int>(record_.height)));
+  set(RegOptions, (options.hits ? 1u << OptionHits : 0) | (options.z_order ? 1u << OptionZOrder : 0));
+  const PixelWindow window = options.window.value_or(PixelWindow{});
+  set(RegWindowMin, pair(window.x0, window.y0));
+  set(RegWindowMax, pair(window.x1, window.y1));
+}
+
+void Driver::go() {
+  set(RegIer, 1u << IsrDone);
+  set(RegGie, 1);
+  set(RegControl, 1u << CtrlStart);
+}
+
+void Driver::start(const RenderOptions& options) {
+  device_.write(frame_.address, std::vector<std::uint8_t>(frame_.bytes, kUntouched));
+  if (options.hits) device_.write(hits_.address, std::vector<std::uint8_t>(hits_.bytes, kUntouched));
+  set_arguments(options);
+  go();
+}
+
+std::uint64_t Driver::counter(std::int64_t index) {
+  const auto offset = static_cast<unsigned>(RegCounters + 8 * index);
+  return device_.read_reg(offset) | std::uint64_t{device_.read_reg(offset + 4)} << 32;
+}
+
+Rendering Driver::finish() {
+  set(RegIsr, device_.read_reg(RegIsr));
+  const std::uint32_t control = device_.read_reg(RegControl);
+  if (!(control >> CtrlDone & 1)) throw DeviceError("the interrupt came, but the job is not done: control register " + hex(control));
+  Rendering result;
+  result.error = static_cast<error_t>(device_.read_reg(RegError));
+  for (std::int64_t i = 0; i < Counters; ++i) result.counters[static_cast<std::size_t>(i)] = counter(i);
+  result.width = static_cast<int>(record_.width);
+  result.height = static_cast<int>(record_.height);
+
+  const std::size_t row = record_.width * PixelBytes;
+  std::vector<std::uint8_t> bytes(frame_.bytes);
+  device_.read(frame_.address, bytes);
+  result.pixels.resize(record_.width * record_.height);
+  for (std::size_t y = 0; y < record_.height; ++y)
+    std::memcpy(&result.pixels[y * record_.width], &bytes[y * record_.stride], row);
+  if (want_hits_) {
+    result.hits.resize(hits_.bytes);
+    device_.read(hits_.address, result.hits);
+  }
+  return result;
+}
+
+Rendering Driver::render(const RenderOptions& options, const Progress& progress) {
+  start(options);
+  if (device_.wait_interrupt(progress) == Wait::kHung) throw DeviceError("the core hangs: no interrupt, and no traffic on its bus");
+  return finish();
+}
+
+DeviceConfig Driver::config() {
+  const std::uint32_t config = device_.read_reg(RegConfig);
+  return {static_cast<int>(config & 0xff), static_cast<int>(config >> 8 & 0xff), static_cast<int>(config >> 16 & 0xff)};
+}
+
+}  // namespace castray::sim

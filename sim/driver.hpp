@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drives a core through its registers and its memory, and through nothing else.
+#pragma once
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "device.hpp"
+#include "fixed.hpp"
+#include "scene/compile.hpp"
+
+namespace castray::sim {
+
+// The device is not what this program was built for, or it does not come back.
+struct DeviceError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct PixelWindow {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;  // one past the last
+  int y1 = 0;
+};
+
+struct RenderOptions {
+  bool hits = true;
+  bool z_order = false;
+  std::optional<PixelWindow> window;  // none: the whole frame
+};
+
+// The outcome of a job. On an error the buffers hold whatever the core had written by then.
+struct Rendering {
+  error_t error = ErrNone;
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> pixels;  // words of the frame buffer, row by row, top first
+  std::vector<std::uint8_t> hits;     // raw records of all pixels, empty unless asked for
+  std::array<std::uint64_t, Counters> counters{};
+
+  std::uint64_t cycles() const { return counters[CntCycles]; }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+  hit_record_t hit(std::size_t pixel) const;
+};
+
+struct DeviceConfig {
+  int lanes = 0;
+  int contexts = 0;
+  int tile = 0;
+};
+
+class Driver {
+ public:
+  // Throws DeviceError unless the version and parameter registers are those of this build.
+  explicit Driver(Device& device);
+  ~Driver();
+  Driver(const Driver&) = delete;
+  Driver& operator=(const Driver&) = delete;
+
+  // Copies a scene image to the device, in place of the one before.
+  void load(const SceneImage& image);
+  // Renders it: start(), wait_interrupt, finish(). Throws DeviceError when the core hangs.
+  Rendering render(const RenderOptions& options = {}, const Progress& progress = {});
+
+  // The halves of render(), for whoever does something else meanwhile.
+  void start(const RenderOptions& options);
+  Rendering finish();
+  // Writes an argument register by its castray_reg_pkg name, a pointer's two words.
+  void set(std::int64_t reg, std::uint32_t value) { device_.write_reg(static_cast<unsigned>(reg), value); }
+  void set_pointer(std::int64_t reg, std::uint64_t address);
+  // Sets all arguments of a job on the loaded image, without starting it.
+  void set_arguments(const RenderOptions& options);
+  void go();
+
+  DeviceConfig config();
+  Device& device() { return device_; }
+  const Buffer& image_buffer() const { return image_; }
+  const Buffer& frame_buffer() const { return frame_; }
+  const Buffer& hits_buffer() const { return hits_; }
+
+ private:
+  void release();
+  std::uint64_t counter(std::int64_t index);
+
+  Device& device_;
+  frame_record_t record_;
+  Buffer image_;
+  Buffer frame_;
+  Buffer hits_;
+  bool want_hits_ = false;
+};
+
+}  // namespace castray::sim

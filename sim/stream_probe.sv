@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shows each item of a stream to the simulation (sim/probe.hpp) while it asks for them: for
+// `castray ray`. Bound to the core from outside; synthesis never sees it.
+module stream_probe #(
+  parameter int unsigned Stream = 0,  // its number in sim/probe.cpp
+  parameter int unsigned Width  = 1
+) (
+  input logic             clk_i,
+  input logic             taken_i,
+  input logic [Width-1:0] data_i
+);
+  localparam int unsigned MaxWidth = 1024;
+  if (Width > MaxWidth) begin : g_check
+    $error("stream_probe: at most %0d bits", MaxWidth);
+  end
+
+  import "DPI-C" function bit castray_probing();
+  import "DPI-C" function void castray_probe(input int stream, input bit [MaxWidth-1:0] data);
+
+  always @(posedge clk_i) begin
+    if (taken_i && castray_probing()) castray_probe(int'(Stream), MaxWidth'(data_i));
+  end
+endmodule
+
+bind castray_core stream_probe #(.Stream(0), .Width($bits(px))) u_probe_px (.clk_i, .taken_i(px_valid && px_ready), .data_i(px));
+bind castray_core stream_probe #(.Stream(1), .Width($bits(dir))) u_probe_dir (.clk_i, .taken_i(dir_valid && dir_ready), .data_i(dir));
+bind castray_core stream_probe #(.Stream(2), .Width($bits(ray))) u_probe_ray (.clk_i, .taken_i(ray_valid && ray_ready), .data_i(ray));
+bind lane stream_probe #(.Stream(3), .Width($bits(cand))) u_probe_cand (.clk_i, .taken_i(cand_valid), .data_i(cand));
+bind lane stream_probe #(.Stream(4), .Width($bits(result))) u_probe_result (.clk_i, .taken_i(result_valid), .data_i(result));
+bind castray_core stream_probe #(.Stream(5), .Width($bits(hit))) u_probe_hit (.clk_i, .taken_i(hit_valid && hit_ready), .data_i(hit));
+bind castray_core stream_probe #(.Stream(6), .Width($bits(shade_req))) u_probe_shade_req (.clk_i, .taken_i(shade_valid && shade_ready), .data_i(shade_req));
+bind castray_core stream_probe #(.Stream(7), .Width($bits(shaded))) u_probe_shaded (.clk_i, .taken_i(done_valid && done_ready), .data_i(shaded));

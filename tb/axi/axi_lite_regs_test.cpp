@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each rule of the register map, by name.
+// Verilator: -GLanes=5 -GContexts=33 -GTileLog2=4
+#include "Vaxi_lite_regs.h"
+#include "axi/axi_lite_regs.hpp"
+#include "lite_bus.hpp"
+
+namespace castray::tb {
+
+constexpr std::uint32_t kStart = 1u << CtrlStart, kDone = 1u << CtrlDone, kIdle = 1u << CtrlIdle, kReady = 1u << CtrlReady,
+                        kRestart = 1u << CtrlAutoRestart, kInterrupt = 1u << CtrlInterrupt;
+
+const std::int64_t kArguments[] = {RegImage,      RegImage + 4,  RegFrame,     RegFrame + 4, RegHits,      RegHits + 4, RegImageBytes,
+                                   RegFrameBytes, RegHitsBytes, RegFrameSize, RegOptions,   RegWindowMin, RegWindowMax};
+
+class AxiLiteRegs : public testing::Test {
+ protected:
+  using D = Dut<Vaxi_lite_regs>;
+  AxiLiteRegs() {
+    dut_->done_i = 0;
+    dut_->error_i = 0;
+    for (unsigned i = 0; i < Counters; ++i) dut_->counts_i[i] = 0;
+    dut_.reset();
+  }
+  void tick() {
+    dut_.settle();
+    starts_ += dut_->start_o;
+    if (dut_->start_o) job_ = get_port<job_t>(dut_->job_o);
+    EXPECT_TRUE(starts_ == 0 || get_port<job_t>(dut_->job_o) == job_) << "the job changed while it runs";
+    dut_.tick();
+  }
+  void wait(int cycles) {
+    for (int i = 0; i < cycles; ++i) tick();
+  }
+  void finish_job() {
+    dut_->done_i = 1;
+    tick();
+    dut_->done_i = 0;
+  }
+  std::uint32_t read(std::int64_t offset) { return bus_.read(offset); }
+  void write(std::int64_t offset, std::uint32_t data, unsigned strb = 15) { bus_.write(offset, data, strb); }
+  job_t model_job() {
+    return job_of_registers([&](std::int64_t offset) { return read(offset); });
+  }
+
+  D dut_;
+  int starts_ = 0;
+  job_t job_;
+  LiteBus<D> bus_{dut_, [this] { tick(); }};
+};
+
+TEST_F(AxiLiteRegs, AreZeroAndIdleAfterReset) {
+  EXPECT_EQ(read(RegControl), kIdle);
+  for (const std::int64_t offset : {RegGie, RegIer, RegIsr, RegError}) EXPECT_EQ(read(offset), 0u) << offset;
+  for (const std::int64_t offset : kArguments) EXPECT_EQ(read(offset), 0u) << offset;
+  EXPECT_FALSE(dut_->interrupt_o);
+}
+
+TEST_F(AxiLiteRegs, ShowVersionConfigAndParameters) {
+  EXPECT_EQ(read(RegVersion), VersionMajor << 16 | VersionMinor << 8 | VersionPatch);
+  EXPECT_EQ(read(RegConfig), 5u | 33u << 8 | 16u << 16);
+  EXPECT_EQ(read(RegParameters), static_cast<std::uint32_t>(ImageParameters));
+}
+
+TEST_F(AxiLiteRegs, KeepArgumentsApart) {
+  std::uint32_t value = 0x9e3779b9;
+  for (const std::int64_t offset : kArguments) write(offset, value += 0x7f4a7c15);
+  value = 0x9e3779b9;
+  for (const std::int64_t offset : kArguments) EXPECT_EQ(read(offset), value += 0x7f4a7c15) << offset;
+}
+
+TEST_F(AxiLiteRegs, HonourByteStrobes) {
+  for (const std::int64_t offset : kArguments) {
+    for (unsigned strb = 0; strb < 16; ++strb) {
+      write(offset, 0x11223344);
+      write(offset, 0xaabbccdd, strb);
+      std::uint32_t expected = 0;
+      for (unsigned i = 0; i < 4; ++i) expected |= ((strb >> i & 1 ? 0xaabbccddu : 0x11223344u) & 0xffu << 8 * i);
+      EXPECT_EQ(read(offset), expected) << offset << " strobes " << strb;
+    }
+  }
+}
+
+TEST_F(AxiLiteRegs, IgnoreControlWritesWithoutTheLowByte) {
+  write(RegControl, kStart | kRestart, 14);
+  write(RegGie, 1, 14);
+  write(RegIer, 3, 14);
+  write(RegIsr, 3, 14);
+  wait(4);
+  EXPECT_EQ(starts_, 0);
+  EXPECT_EQ(read(RegControl), kIdle);
+  for (const std::int64_t offset : {RegGie, RegIer, RegIsr}) EXPECT_EQ(read(offset), 0u) << offset;
+}
+
+TEST_F(AxiLiteRegs, UndefinedOnesReadZeroAndTakeWrites) {
+  std::vector<bool> defined(1u << RegAddrW);
+  for (const std::int64_t offset : kArguments) defined[offset] = true;
+  for (const std::int64_t offset : {RegControl, RegGie, RegIer, RegIsr, RegVersion, RegConfig, RegParameters, RegError})
+    defined[offset] = true;
+  for (int i = 0; i < Counters; ++i) defined[RegCounters + 8 * i] = defined[RegCounters + 8 * i + 4] = true;
+  for (unsigned i = 0; i < Counters; ++i) dut_->counts_i[i] = ~0ull;
+  for (unsigned offset = 0; offset < 1u << RegAddrW; offset += 4) {
+    if (defined[offset]) continue;
+    write(offset, 0xffffffff);
+    EXPECT_EQ(read(offset), 0u) << offset;
+  }
+  EXPECT_EQ(read(RegControl), kIdle);
+  for (const std::int64_t offset : kArguments) EXPECT_EQ(read(offset), 0u) << offset;
+}
+
+TEST_F(AxiLiteRegs, DoNotWriteReadOnlyOnes) {
+  for (const std::int64_t offset : {RegVersion, RegConfig, RegParameters, RegError, RegCounters}) {
+    const std::uint32_t before = read(offset);
+    write(offset, ~before);
+    EXPECT_EQ(read(offset), before) << offset;
+  }
+}
+
+TEST_F(AxiLiteRegs, HaveOneBitForGieAndTwoForIer) {
+  write(RegGie, 0xffffffff);
+  write(RegIer, 0xffffffff);
+  EXPECT_EQ(read(RegGie), 1u);
+  EXPECT_EQ(read(RegIer), 3u);
+}
+
+TEST_F(AxiLiteRegs, ShowCountersAndError) {
+  for (unsigned i = 0; i < Counters; ++i) dut_->counts_i[i] = 0x1234567800000000ull * (i + 1) + 77 * i + 5;
+  for (unsigned i = 0; i < Counters; ++i) {
+    const std::uint64_t low = read(RegCounters + 8 * i), high = read(RegCounters + 8 * i + 4);
+    EXPECT_EQ(low | high << 32, 0x1234567800000000ull * (i + 1) + 77 * i + 5);
+  }
+  dut_->error_i = ErrHitWindow;
+  EXPECT_EQ(read(RegError), ErrHitWindow);
+}
+
+TEST_F(AxiLiteRegs, TakeAddressAndDataInAnyOrder) {
+  std::uint32_t value = 1;
+  for (int address = 0; address < 4; ++address) {
+    for (int data = 0; data < 4; ++data) {
+      for (int response = 0; response < 3; ++response) {
+        bus_.write(RegHits, ++value, 15, {address, data, response});
+        EXPECT_EQ(bus_.read(RegHits, {address, 0, response}), value);
+      }
+    }
+  }
+}
+
+// No path from a ready input to a valid output, nor back.
+TEST_F(AxiLiteRegs, HandshakesAreIndependent) {
+  dut_->s_axi_arvalid_i = 1;
+  dut_->s_axi_araddr_i = 0;
+  dut_->s_axi_awvalid_i = dut_->s_axi_wvalid_i = 1;
+  dut_->s_axi_awaddr_i = RegHits;
+  dut_->s_axi_bready_i = dut_->s_axi_rready_i = 0;
+  for (int cycle = 0; cycle < 4; ++cycle) {
+    dut_.settle();
+    const bool b = dut_->s_axi_bvalid_o, r = dut_->s_axi_rvalid_o;
+    dut_->s_axi_bready_i = dut_->s_axi_rready_i = 1;
+    dut_.settle();
+    EXPECT_EQ(dut_->s_axi_bvalid_o, b);
+    EXPECT_EQ(dut_->s_axi_rvalid_o, r);
+    dut_->s_axi_bready_i = dut_->s_axi_rready_i = 0;
+    tick();
+  }
+  EXPECT_TRUE(dut_->s_axi_bvalid_o && dut_->s_axi_rvalid_o) << "answers wait";
+}
+
+TEST_F(AxiLiteRegs, LatchTheJobAtItsStart) {
+  std::mt19937 rng(3);
+  for (int round = 0; round < 300; ++round) {
+    for (const std::int64_t offset : kArguments) {
+      std::uint32_t value = static_cast<std::uint32_t>(rng());
+      const int kind = static_cast<int>(rng() % 4);
+      if (kind != 0) value &= offset == RegOptions ? 3 : offset >= RegFrameSize ? 0x1fff1fff : 0xffffff00;
+      if (kind != 0 && (offset == RegImage + 4 || offset == RegFrame + 4 || offset == RegHits + 4)) value >>= 24;
+      if (kind == 1 && offset == RegWindowMax) value = 0;
+      write(offset, value);
+    }
+    const job_t expected = model_job();
+    write(RegControl, kStart);
+    wait(1);
+    EXPECT_EQ(starts_, round + 1);
+    EXPECT_TRUE(job_ == expected) << to_text(job_) << "\n" << to_text(expected);
+    for (const std::int64_t offset : kArguments) {  // writable and readable while it runs, without effect on the job
+      write(offset, 5);
+      EXPECT_EQ(read(offset), 5u);
+    }
+    finish_job();
+    EXPECT_EQ(read(RegControl), kIdle | kDone | kReady);
+  }
+}
+
+class AxiLiteRegsField : public AxiLiteRegs {
+ protected:
+  bool illegal(std::int64_t offset, std::uint32_t value) {
+    for (const std::int64_t other : kArguments) write(other, 0);
+    if (offset == RegHits + 4) write(RegOptions, 1u << OptionHits);
+    write(offset, value);
+    const job_t expected = model_job();
+    write(RegControl, kStart);
+    wait(1);
+    EXPECT_TRUE(job_ == expected);
+    finish_job();
+    wait(2);
+    return job_.illegal;
+  }
+};
+
+TEST_F(AxiLiteRegsField, BitsOutsideAFieldAreIllegal) {
+  for (unsigned bit = 0; bit < 32; ++bit) {
+    for (const std::int64_t offset : {RegFrameSize, RegWindowMin, RegWindowMax})
+      EXPECT_EQ(illegal(offset, 1u << bit), bit % 16 >= 13) << offset << " bit " << bit;
+    for (const std::int64_t offset : {RegImage + 4, RegFrame + 4, RegHits + 4})
+      EXPECT_EQ(illegal(offset, 1u << bit), bit >= 8) << offset << " bit " << bit;
+    EXPECT_EQ(illegal(RegOptions, 1u << bit), bit != OptionHits && bit != OptionZOrder) << bit;
+  }
+}
+
+TEST_F(AxiLiteRegsField, TheHitPointerIsNotLookedAtWithoutHits) {
+  write(RegHits + 4, 0xffffffff);
+  write(RegControl, kStart);
+  wait(1);
+  EXPECT_FALSE(job_.illegal);
+}
+
+TEST_F(AxiLiteRegs, AnEmptyWindowMaxMeansTheFrame) {
+  write(RegFrameSize, 320 | 240 << 16);
+  write(RegWindowMin, 7 | 9 << 16);
+  write(RegControl, kStart);
+  wait(1);
+  EXPECT_EQ(job_.x0, 7u);
+  EXPECT_EQ(job_.y0, 9u);
+  EXPECT_EQ(job_.x1, 320u);
+  EXPECT_EQ(job_.y1, 240u);
+}
+
+TEST_F(AxiLiteRegs, StartStaysUntilDone) {
+  write(RegControl, kStart);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(read(RegControl), kStart);
+  EXPECT_EQ(starts_, 1);
+  finish_job();
+  EXPECT_EQ(read(RegControl), kDone | kIdle | kReady);
+  wait(10);
+  EXPECT_EQ(starts_, 1);
+}
+
+TEST_F(AxiLiteRegs, AStartWhileBusyIsIgnored) {
+  write(RegControl, kStart);
+  wait(3);
+  write(RegControl, kStart);
+  write(RegControl, kStart);
+  finish_job();
+  wait(10);
+  EXPECT_EQ(starts_, 1);
+  EXPECT_EQ(read(RegControl), kDone | kIdle | kReady);
+}
+
+TEST_F(AxiLiteRegs, AStartInTheCycleOfDoneIsKept) {
+  for (int done_at = 0; done_at < 4; ++done_at) {
+    write(RegControl, kStart);
+    wait(3);
+    const int before = starts_;
+    dut_->s_axi_awvalid_i = dut_->s_axi_wvalid_i = 1;
+    dut_->s_axi_awaddr_i = RegControl;
+    dut_->s_axi_wdata_i = kStart;
+    dut_->s_axi_wstrb_i = 15;
+    dut_->s_axi_bready_i = 1;
+    for (int cycle = 0; cycle < 6; ++cycle) {  // the write happens in cycle 1
+      dut_->done_i = cycle == done_at;
+      tick();
+      dut_->s_axi_awvalid_i = dut_->s_axi_wvalid_i = 0;
+    }
+    bus_.idle();
+    wait(3);
+    const bool kept = done_at <= 1;
+    EXPECT_EQ(starts_ - before, kept) << done_at;
+    if (kept) finish_job();
+    EXPECT_EQ(read(RegControl), kDone | kIdle | kReady);
+  }
+}
+
+TEST_F(AxiLiteRegs, WritingZeroDoesNotStop) {
+  write(RegControl, kStart);
+  write(RegControl, 0);
+  EXPECT_EQ(read(RegControl), kStart);
+}
+
+TEST_F(AxiLiteRegs, DoneAndReadyAreClearedByReading) {
+  write(RegControl, kStart);
+  finish_job();
+  wait(20);
+  read(RegIsr);
+  EXPECT_EQ(read(RegControl), kDone | kIdle | kReady);
+  EXPECT_EQ(read(RegControl), kIdle);
+}
+
+// Whenever the job ends, exactly one of the reads around it shows done.
+TEST_F(AxiLiteRegs, ADoneInTheCycleOfAReadIsNotLost) {
+  for (int at = 0; at < 5; ++at) {
+    write(RegControl, kStart);
+    int seen = 0;
+    dut_->s_axi_arvalid_i = 1;
+    dut_->s_axi_araddr_i = RegControl;
+    dut_->s_axi_rready_i = 1;
+    for (int cycle = 0; cycle < 8; ++cycle) {
+      dut_->done_i = cycle == at;
+      dut_.settle();
+      if (dut_->s_axi_rvalid_o) seen += (dut_->s_axi_rdata_o & kDone) != 0;
+      tick();
+    }
+    dut_->s_axi_arvalid_i = 0;
+    dut_.settle();
+    if (dut_->s_axi_rvalid_o) seen += (dut_->s_axi_rdata_o & kDone) != 0;
+    tick();
+    bus_.idle();
+    EXPECT_EQ(seen, 1) << at;
+  }
+}
+
+TEST_F(AxiLiteRegs, AutoRestartTakesTheNewArguments) {
+  write(RegFrameSize, 10 | 20 << 16);
+  write(RegControl, kStart | kRestart);
+  wait(2);
+  EXPECT_EQ(read(RegControl), kStart | kRestart);
+  EXPECT_EQ(job_.width, 10u);
+  write(RegFrameSize, 30 | 40 << 16);
+  finish_job();
+  wait(3);
+  EXPECT_EQ(starts_, 2);
+  EXPECT_EQ(job_.width, 30u);
+  EXPECT_EQ(read(RegControl), kStart | kDone | kReady | kRestart);
+  write(RegControl, 0);  // no further one
+  finish_job();
+  wait(10);
+  EXPECT_EQ(starts_, 2);
+  EXPECT_EQ(read(RegControl), kDone | kIdle | kReady);
+}
+
+TEST_F(AxiLiteRegs, AnIsrBitIsSetOnlyIfEnabled) {
+  for (unsigned ier = 0; ier < 4; ++ier) {
+    write(RegIer, ier);
+    write(RegControl, kStart);
+    finish_job();
+    EXPECT_EQ(read(RegIsr), ier);
+    write(RegIsr, ier);
+    EXPECT_EQ(read(RegIsr), 0u);
+  }
+}
+
+TEST_F(AxiLiteRegs, WritingIsrToggles) {
+  write(RegIsr, 2);
+  EXPECT_EQ(read(RegIsr), 2u);
+  write(RegIsr, 3);
+  EXPECT_EQ(read(RegIsr), 1u);
+  write(RegIsr, 0);
+  EXPECT_EQ(read(RegIsr), 1u);
+  write(RegIsr, 1);
+  EXPECT_EQ(read(RegIsr), 0u);
+}
+
+TEST_F(AxiLiteRegs, AnEndInTheCycleOfAToggleSetsIsr) {
+  write(RegIer, 1);
+  for (int at = 0; at < 4; ++at) {
+    write(RegControl, kStart);
+    wait(2);
+    dut_->s_axi_awvalid_i = dut_->s_axi_wvalid_i = 1;
+    dut_->s_axi_awaddr_i = RegIsr;
+    dut_->s_axi_wdata_i = 1;
+    dut_->s_axi_wstrb_i = 15;
+    dut_->s_axi_bready_i = 1;
+    for (int cycle = 0; cycle < 6; ++cycle) {
+      dut_->done_i = cycle == at;
+      tick();
+      dut_->s_axi_awvalid_i = dut_->s_axi_wvalid_i = 0;
+    }
+    bus_.idle();
+    // The write happens in cycle 1: an end before it is toggled away, one with it or after it
+    // stays set (it was toggled to one before).
+    EXPECT_EQ(read(RegIsr), at == 0 ? 0u : 1u) << at;
+    if (at != 0) write(RegIsr, 1);
+  }
+}
+
+TEST_F(AxiLiteRegs, TheInterruptIsGieAndAnyIsr) {
+  write(RegIer, 3);
+  write(RegControl, kStart);
+  finish_job();
+  wait(3);
+  EXPECT_FALSE(dut_->interrupt_o);
+  EXPECT_EQ(read(RegControl) & kInterrupt, 0u);
+  write(RegGie, 1);
+  EXPECT_TRUE(dut_->interrupt_o);
+  EXPECT_NE(read(RegControl) & kInterrupt, 0u);
+  write(RegIsr, 1);
+  EXPECT_TRUE(dut_->interrupt_o) << "the other bit is still set";
+  write(RegIsr, 2);
+  EXPECT_FALSE(dut_->interrupt_o);
+}
+
+TEST_F(AxiLiteRegs, AResetInAnAccessLeavesThemUsable) {
+  for (int cut = 0; cut < 4; ++cut) {
+    dut_->s_axi_awvalid_i = dut_->s_axi_arvalid_i = 1;
+    dut_->s_axi_wvalid_i = cut & 1;
+    dut_->s_axi_awaddr_i = RegControl;
+    dut_->s_axi_wdata_i = kStart | kRestart;
+    dut_->s_axi_wstrb_i = 15;
+    wait(cut);
+    bus_.idle();
+    dut_.reset(1);
+    starts_ = 0;
+    write(RegHits, 1234);
+    EXPECT_EQ(read(RegHits), 1234u);
+    wait(5);
+    EXPECT_EQ(starts_, 0);
+    EXPECT_EQ(read(RegControl), kIdle);
+  }
+}
+
+}  // namespace castray::tb

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+// The hit unit: RTL = model, normalisation, rounding, roots, throughput.
+#include "isect/hit_unit.hpp"
+
+#include "Vhit_unit.h"
+#include "dut.hpp"
+#include "prim_cases.hpp"
+
+namespace castray::tb {
+namespace {
+
+struct HitCase {
+  cand_t cand;
+  hit_ray_t ray;
+};
+
+struct Outcome {
+  std::vector<result_t> out;
+  long cycles = 0;
+};
+
+// Sends the cases and checks that as many retire, that only those beyond tmin come out, in order,
+// as the model says.
+Outcome run(const std::vector<HitCase>& cases, Stalls stalls = {}, unsigned seed = 1) {
+  Dut<Vhit_unit> dut(seed);
+  Gate source(stalls.source, stalls.burst, seed);
+  std::deque<const HitCase*> pending;
+  Outcome result;
+  std::size_t next = 0, retired = 0;
+  bool offering = false;
+  int wrong = 0;
+  const long limit = 1000 + 80L * static_cast<long>(cases.size());
+  for (; retired < cases.size() && result.cycles < limit; ++result.cycles) {
+    if (!offering && next < cases.size()) offering = source.open();
+    dut->in_valid_i = offering;
+    if (offering) {
+      set_port(dut->in_i, cases[next].cand);
+      set_port(dut->in_ray_i, cases[next].ray);
+    }
+    dut.settle();
+    if (offering && dut->in_ready_o) {
+      pending.push_back(&cases[next++]);
+      offering = false;
+    }
+    if (dut->out_valid_o) EXPECT_TRUE(dut->retire_o) << "a result without its candidate";
+    if (dut->retire_o) {
+      if (pending.empty()) {
+        ADD_FAILURE() << "retired twice";
+        break;
+      }
+      const HitCase& c = *pending.front();
+      pending.pop_front();
+      ++retired;
+      result_t want;
+      const bool emitted = hit_unit(c.cand, c.ray, want);
+      const result_t got = get_port<result_t>(dut->out_o);
+      const bool same = emitted == bool(dut->out_valid_o) && (!emitted || want == got);
+      if (emitted) result.out.push_back(got);
+      EXPECT_TRUE(same) << "cand  " << to_text(c.cand) << "\nray   " << to_text(c.ray) << "\nmodel " << emitted << " "
+                        << to_text(want) << "\nRTL   " << bool(dut->out_valid_o) << " " << to_text(got);
+      if (!same && ++wrong > 5) return result;
+    }
+    dut.tick();
+  }
+  EXPECT_EQ(retired, cases.size());
+  return result;
+}
+
+hit_ray_t straight(bool neg = false, t_t tmin = 0) {
+  hit_ray_t ray;
+  ray.norm2 = 1 << NormFrac;
+  ray.neg = neg, ray.tmin = tmin;
+  return ray;
+}
+HitCase triangle(std::uint64_t u, std::uint64_t v, std::uint64_t det, std::int64_t az, std::int64_t bz, std::int64_t cz,
+                 hit_ray_t ray = straight(false, -TMax)) {
+  HitCase c;
+  c.cand.u = u, c.cand.v = v, c.cand.det = det;
+  c.cand.az = az, c.cand.bz = bz, c.cand.cz = cz;
+  c.cand.number = 5, c.cand.ctx = 3;
+  c.ray = ray;
+  return c;
+}
+// A sphere at cz whose discriminant is disc; towards in quarter steps.
+HitCase sphere(std::int64_t cz, std::uint64_t disc, std::int64_t towards, hit_ray_t ray) {
+  HitCase c;
+  c.cand.kind = KindSphere;
+  c.cand.det = disc, c.cand.az = towards, c.cand.cz = cz;
+  c.cand.number = 6, c.cand.ctx = 4;
+  c.ray = ray;
+  return c;
+}
+result_t one(const HitCase& c) {
+  const Outcome r = run({c});
+  EXPECT_EQ(r.out.size(), 1u);
+  return r.out.empty() ? result_t{} : r.out[0];
+}
+bool emitted(const HitCase& c) { return run({c}).out.size() == 1; }
+
+// What the primitive pipe accepts of random tests, with a random tmin.
+std::vector<HitCase> accepted_cases(int n, unsigned seed) {
+  Rng rng(seed);
+  std::vector<HitCase> cases;
+  while (static_cast<int>(cases.size()) < n) {
+    const PrimCase p = random_case(rng);
+    HitCase c;
+    if (!ray_prim(p.ray, p.prim, p.ctx, c.cand)) continue;
+    c.ray.norm2 = p.ray.norm2, c.ray.neg = p.ray.neg, c.ray.cull = p.ray.cull;
+    c.ray.tmin = rng.chance(3) ? rng.in(-TMax, TMax) : 0;
+    cases.push_back(c);
+  }
+  return cases;
+}
+// Any magnitudes that a candidate may have, more extreme than geometry makes them.
+HitCase any_triangle(Rng& rng) {
+  const std::uint64_t det = static_cast<std::uint64_t>(rng.in(1, std::int64_t{1} << rng.in(0, 54)));
+  const std::uint64_t u = rng.chance(6) ? (rng.chance(2) ? 0 : det) : static_cast<std::uint64_t>(rng.in(0, static_cast<std::int64_t>(det)));
+  const std::uint64_t v = rng.chance(3) ? det - u : static_cast<std::uint64_t>(rng.in(0, static_cast<std::int64_t>(det - u)));
+  const std::int64_t org = static_cast<std::int64_t>(rng.coord());
+  const auto z = [&] { return static_cast<std::int64_t>(rng.coord()) - org; };
+  return triangle(u, v, det, z(), z(), z(), straight(rng.chance(2), rng.chance(3) ? rng.in(-TMax, TMax) : 0));
+}
+
+}  // namespace
+
+class HitUnitStalls : public ::testing::TestWithParam<Stalls> {};
+INSTANTIATE_TEST_SUITE_P(All, HitUnitStalls, ::testing::ValuesIn(kStallPatterns),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST_P(HitUnitStalls, MatchesModelOnWhatThePipeAccepts) {
+  const Outcome r = run(accepted_cases(15000, 31), GetParam(), 2);
+  EXPECT_GT(r.out.size(), 3000u);
+}
+TEST_P(HitUnitStalls, MatchesModelOnAnyMagnitude) {
+  Rng rng(32);
+  std::vector<HitCase> cases;
+  for (int i = 0; i < 20000; ++i) cases.push_back(any_triangle(rng));
+  EXPECT_GT(run(cases, GetParam(), 3).out.size(), 3000u);
+}
+
+TEST(HitUnit, NormalisesEitherWay) {
+  // The same quotients from det of 1 bit to 55 bits: shifted left, not at all, right.
+  for (int k = 2; k <= 54; ++k) {
+    const std::uint64_t unit = std::uint64_t{1} << (k - 2);
+    const result_t r = one(triangle(unit, 2 * unit, 4 * unit, 400, 800, 1200));
+    EXPECT_EQ(r.u, 1u << 22) << k;
+    EXPECT_EQ(r.v, 1u << 23) << k;
+    EXPECT_EQ(r.t, (400 / 4 + 800 / 2 + 1200 / 4) * 16) << k;
+  }
+  // Right shifts truncate: det = 2^26 + 1 counts as 2^26, u = 3 as 2 of it.
+  EXPECT_EQ(one(triangle(3, 0, (1 << 26) + 1, 0, 0, 0)).u, 1u);
+}
+
+TEST(HitUnit, CornersAreExact) {
+  for (std::uint64_t det : {1ull, 77ull, (1ull << 26) + 12345, (1ull << 54) - 1}) {
+    const result_t a = one(triangle(det, 0, det, 123, -456, 789)), b = one(triangle(0, det, det, 123, -456, 789)),
+                   c = one(triangle(0, 0, det, 123, -456, 789));
+    EXPECT_EQ(a.u, 1u << BaryFrac);
+    EXPECT_EQ(b.v, 1u << BaryFrac);
+    EXPECT_EQ(a.t, 123 * 16);
+    EXPECT_EQ(b.t, -456 * 16);
+    EXPECT_EQ(c.t, 789 * 16);
+    EXPECT_EQ(c.u + c.v + a.v + b.u, 0u);
+  }
+  const std::int64_t far = kGrid - 1;
+  EXPECT_EQ(one(triangle(9, 0, 9, far, -far, 0)).t, far * 16);
+  EXPECT_EQ(one(triangle(0, 9, 9, 0, far, 0, straight(true, -TMax))).t, -far * 16);
+}
+
+TEST(HitUnit, RoundsTiesUp) {
+  // u = 1 / 2^25 and 3 / 2^25: halves of the last bit.
+  EXPECT_EQ(one(triangle(1, 3, 1 << 25, 0, 0, 0)).u, 1u);
+  EXPECT_EQ(one(triangle(1, 3, 1 << 25, 0, 0, 0)).v, 2u);
+  // u (Az - Cz) is half of 1/16: up to 1/16; minus half: up to 0; and the ray's sign comes after.
+  EXPECT_EQ(one(triangle(1, 0, 32, 1, 0, 0)).t, 1);
+  EXPECT_EQ(one(triangle(1, 0, 32, -1, 0, 0)).t, 0);
+  EXPECT_EQ(one(triangle(1, 0, 32, 1, 0, 0, straight(true, -TMax))).t, -1);
+  EXPECT_EQ(one(triangle(1, 0, 32, -1, 0, 0, straight(true, -TMax))).t, 0);
+  // Two halves are one whole: the sum is rounded, not its parts.
+  EXPECT_EQ(one(triangle(1, 1, 32, 1, 1, 0)).t, 1);
+  // Sphere, norm2 below two: 5 2^24 / 2^25 = 2.5 is 3, doubled: 6 quarter steps. And -5: -6.
+  EXPECT_EQ(one(sphere(0, 0, 5, straight(false, -TMax))).t, 6 * 4);
+  EXPECT_EQ(one(sphere(0, 0, -5, straight(false, -TMax))).t, -6 * 4);
+  hit_ray_t slanted = straight(false, -TMax);
+  slanted.norm2 = 2 << NormFrac;  // 5 / 2 = 2.5 is 3 quarter steps
+  EXPECT_EQ(one(sphere(0, 0, 5, slanted)).t, 3 * 4);
+}
+
+TEST(HitUnit, HitsLieStrictlyBeyondTmin) {
+  for (bool neg : {false, true}) {
+    const std::int64_t z = neg ? -100 : 100;
+    EXPECT_TRUE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 1599))));
+    EXPECT_FALSE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 1600))));
+    EXPECT_FALSE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 1601))));
+    EXPECT_FALSE(emitted(triangle(1, 1, 4, -z, -z, -z, straight(neg, 0))));
+  }
+  EXPECT_FALSE(emitted(triangle(1, 1, 4, 0, 0, 0, straight(false, 0))));
+}
+
+TEST(HitUnit, SphereTakesTheNearerRootBeyondTmin) {
+  // Centre at 100, radius 30: N R = 15 * 30, disc = 450, root = sqrt(32 * 450) = 120 quarter steps.
+  for (bool neg : {false, true}) {
+    const std::int64_t cz = neg ? -100 : 100;
+    const auto at = [&](t_t tmin, bool cull) {
+      hit_ray_t ray = straight(neg, tmin);
+      ray.cull = cull;
+      return sphere(cz, 450, 0, ray);
+    };
+    EXPECT_EQ(one(at(0, false)).t, 70 * 16);
+    EXPECT_EQ(one(at(0, true)).t, 70 * 16);
+    EXPECT_EQ(one(at(70 * 16 - 1, false)).t, 70 * 16);
+    EXPECT_EQ(one(at(70 * 16, false)).t, 130 * 16);
+    EXPECT_FALSE(emitted(at(70 * 16, true)));
+    EXPECT_EQ(one(at(130 * 16 - 1, false)).t, 130 * 16);
+    EXPECT_FALSE(emitted(at(130 * 16, false)));
+    const result_t r = one(at(0, false));
+    EXPECT_EQ(r.u + r.v, 0u);
+    EXPECT_EQ(r.kind, std::uint64_t{KindSphere});
+  }
+  // The origin inside: only the farther root is in front.
+  EXPECT_EQ(one(sphere(10, 450, 0, straight())).t, 40 * 16);
+  // Behind: none.
+  EXPECT_FALSE(emitted(sphere(-40, 450, 0, straight())));
+  // towards counts along the ray: centre off the axis.
+  EXPECT_EQ(one(sphere(100, 450, 8, straight())).t, 72 * 16);
+  EXPECT_EQ(one(sphere(-100, 450, 8, straight(true))).t, 68 * 16);
+  // Tangent: both roots are the same.
+  EXPECT_EQ(one(sphere(100, 0, 0, straight())).t, 100 * 16);
+}
+
+TEST(HitUnit, DistancesSaturate) {
+  const std::int64_t far = kGrid - 1;
+  const std::uint64_t disc = std::uint64_t{1} << 49;  // of the largest sphere, radius 2^25
+  EXPECT_EQ(one(sphere(far, disc, 0, straight(false, TMax - 1))).t, TMax);
+  EXPECT_FALSE(emitted(sphere(far, disc, 0, straight(false, TMax))));
+  EXPECT_EQ(one(sphere(-far, disc, 0, straight(false, -TMax - 1))).t, -TMax);
+  EXPECT_EQ(one(sphere(far, disc, 0, straight(true, -TMax - 1))).t, -TMax);
+  // The largest numerators: towards of 2^30 quarter steps loses six bits.
+  for (std::int64_t towards : {std::int64_t{1} << 30, -(std::int64_t{1} << 30), (std::int64_t{1} << 30) - 1})
+    for (std::uint64_t norm2 : {1 << 24, (1 << 25) - 1, 1 << 25, (3 << 24) - 1}) {
+      HitCase c = sphere(-far, 3 * disc, towards, straight(towards < 0, -TMax - 1));
+      c.ray.norm2 = norm2;
+      run({c});
+    }
+}
+
+TEST(HitUnit, TakesATriangleEverySecondCycle) {
+  Rng rng(41);
+  std::vector<HitCase> cases;
+  for (int i = 0; i < 1000; ++i) cases.push_back(any_triangle(rng));
+  EXPECT_LE(run(cases).cycles, 2 * 1000 + 40);
+  // One alone: its latency.
+  EXPECT_LE(run({cases[0]}).cycles, 28);
+}
+
+TEST(HitUnit, MixesSpheresAndTriangles) {
+  Rng rng(42);
+  std::vector<HitCase> cases;
+  for (int i = 0; i < 400; ++i) {
+    for (int k = static_cast<int>(rng.in(0, 3)); k > 0; --k) cases.push_back(any_triangle(rng));
+    for (int k = static_cast<int>(rng.in(1, 3)); k > 0; --k)
+      cases.push_back(sphere(rng.in(-9999, 9999), static_cast<std::uint64_t>(rng.in(0, 3LL << 49)), rng.in(-99999, 99999), straight(rng.chance(2))));
+  }
+  run(cases);
+}
+
+TEST(HitUnit, ResetEmptiesIt) {
+  for (int after : {1, 3, 9, 17, 22, 30}) {
+    Dut<Vhit_unit> dut;
+    const HitCase cases[2] = {triangle(1, 1, 4, 9, 9, 9), sphere(100, 450, 0, straight())};
+    for (int i = 0; i < after; ++i) {
+      dut->in_valid_i = 1;
+      set_port(dut->in_i, cases[after % 3 == 0].cand);
+      set_port(dut->in_ray_i, cases[after % 3 == 0].ray);
+      dut.tick();
+    }
+    dut->in_valid_i = 0;
+    dut.reset(1);
+    for (int i = 0; i < 60; ++i) {
+      dut.settle();
+      EXPECT_FALSE(dut->out_valid_o || dut->retire_o) << after;
+      EXPECT_TRUE(dut->in_ready_o);
+      dut.tick();
+    }
+  }
+}
+
+}  // namespace castray::tb

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tests of the host side share.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "scene/load.hpp"
+
+namespace castray::tb {
+
+// A folder of its own for each test, removed at the end.
+class SceneTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("castray_") + info->test_suite_name() + "_" + info->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path put(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+
+  // The message of the error that f throws, with the test's folder left out of it.
+  template <class F> std::string error_of(F&& f) const {
+    try {
+      f();
+    } catch (const SceneError& error) {
+      std::string text = error.what();
+      EXPECT_EQ(text.find('\n'), std::string::npos) << "more than one line: " << text;
+      for (std::size_t at; (at = text.find(folder_.string() + "/")) != std::string::npos;) text.erase(at, folder_.string().size() + 1);
+      return text;
+    }
+    return "no error";
+  }
+  std::string load_error(const std::string& name, const std::string& text) const {
+    return error_of([&] { load_scene(put(name, text)); });
+  }
+
+  std::filesystem::path folder_;
+};
+
+// One triangle, in the plain layout.
+inline const char* const kTriangleGeo = "1 3 0 1 2  0 0 0 1 0 0 0 1 0  0 0 1 0 0 1 0 0 1  0 0 1 0 0 1\n";
+
+}  // namespace castray::tb

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+# The simulator: the core Verilated once for each variant, the programs that drive it, their tests.
+#
+# A variant is named by its parameters: l3c32t3 has 3 lanes, 32 contexts each and tiles of 2^3 pixels
+# a side. build/cores/<variant>.so is loaded by name when a program asks for it.
+CORES_RENDER := l3c32t3
+CORES_TEST   := l1c32t3 l2c32t3 l3c32t3 l4c32t3
+CORES_BENCH  := $(CORES_TEST) l1c1t3 l8c32t3 l3c32t2 l3c32t4
+cores_files   = $(1:%=$(BUILD)/cores/%.so)
+
+CORE_RTL := $(RTL) sim/stream_probe.sv
+# Parameters of a variant by its name: l3c32t3 -> -GLanes=3 -GContexts=32 -GTileLog2=3
+core_parameters = $(join -GLanes= -GContexts= -GTileLog2=,$(subst l,,$(subst t, ,$(subst c, ,$(1)))))
+
+# OPT_FAST, because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
+$(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
+	@mkdir -p $(@D)
+	@echo "  VERILATE castray_core $*"
+	@$(VERILATOR) --cc $(VERILATOR_FLAGS) --no-assert --trace-fst --prefix Vcastray_core --Mdir $(@D) \
+	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
+	@MAKEFLAGS= make -s -C $(@D) -f Vcastray_core.mk -j$(JOBS) Vcastray_core__ALL.a CXX=$(CXX) \
+	  USER_CPPFLAGS="-fPIC -fvisibility=hidden" OPT_FAST="-O3 -march=native" OPT_SLOW="-O1" OPT_GLOBAL="-O2" > /dev/null
+	@touch $@
+
+# The Verilator library for shared objects.
+VERILATED_PIC := $(addprefix $(BUILD)/obj/verilated-pic/,verilated.o verilated_dpi.o verilated_fst_c.o verilated_threads.o)
+$(BUILD)/obj/verilated-pic/%.o: $(VERILATOR_ROOT)/include/%.cpp
+	@mkdir -p $(@D)
+	@$(CXX) -std=c++20 -O2 -fPIC -fvisibility=hidden $(VERILATED_INC) -DVM_TRACE=1 -DVM_TRACE_FST=1 -c $< -o $@
+
+$(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance.cpp $(wildcard sim/*.hpp) $(VERILATED_PIC) $(RECORDS)
+	@mkdir -p $(@D)
+	@$(CXX) $(filter-out -MMD -MP,$(CXXFLAGS)) -fPIC -fvisibility=hidden $(VERILATED_INC) -I$(dir $<) -shared \
+	  sim/core_instance.cpp $< $(VERILATED_PIC) -lz -latomic -lpthread -o $@
+
+# ---- Programs ----
+SIM_PROGRAMS := make_teapot bench
+SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp))
+SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
+CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
+SIM_LIBS     := $(LIBS) -ldl -rdynamic
+
+# The commit that a picture's metadata names; written anew only when it changed.
+COMMIT := $(BUILD)/gen/castray_commit.hpp
+.PHONY: commit
+commit: ;
+$(COMMIT): commit
+	@mkdir -p $(@D)
+	@printf '#pragma once\ninline constexpr const char* kCommit = "%s";\n' \
+	  "$$(git describe --always --dirty 2> /dev/null || echo unknown)" > $@.new
+	@if cmp -s $@ $@.new; then rm $@.new; else mv $@.new $@; fi
+$(CLI_OBJECTS): $(COMMIT)
+
+$(BUILD)/castray: $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB)
+	@echo "  LINK  castray"
+	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
+$(BUILD)/bench: $(BUILD)/obj/sim/bench.o $(SIM_OBJECTS) $(LIB)
+	@echo "  LINK  bench"
+	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
+$(BUILD)/make_teapot: $(BUILD)/obj/sim/make_teapot.o $(LIB)
+	@echo "  LINK  make_teapot"
+	@$(CXX) $(filter %.o %.a,$^) -o $@ $(LIBS)
+
+# ---- Tests: tb/sim of the simulator itself, tb/frame of whole frames on the test variants ----
+$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(SIM_OBJECTS) $(LIB) $(RECORDS)
+	@mkdir -p $(@D)
+	@echo "  TEST  $*"
+	@$(CXX) $(CXXFLAGS) -Itb/common -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
+$(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(filter tb/frame/%,$(SIM_TESTS))): | $(call cores_files,$(CORES_TEST))
+
+.PHONY: cores
+cores: $(call cores_files,$(CORES_TEST)) ## build the Verilated cores that the tests use
+-include $(SIM_OBJECTS:.o=.d) $(CLI_OBJECTS:.o=.d) $(SIM_PROGRAMS:%=$(BUILD)/obj/sim/%.d)
