@@ -8,6 +8,7 @@ rtl/prim/pipe_chain.sv
 rtl/prim/pipe_cut.sv
 rtl/prim/pipe_stage.sv
 rtl/prim/stream_arb.sv
+rtl/prim/stream_check.sv
 rtl/prim/stream_fifo.sv
 rtl/prim/stream_fork.sv
 rtl/math/cordic_sqrt.sv
@@ -51,6 +52,7 @@ rtl/mem/hit_writer.sv
 rtl/mem/job_loader.sv
 rtl/mem/prim_reader.sv
 rtl/mem/tile_gather.sv
+rtl/mem/tile_rows.sv
 rtl/axi/axi_lite_regs.sv
 rtl/axi/axi_reader.sv
 rtl/axi/axi_writer.sv

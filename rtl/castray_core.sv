@@ -208,7 +208,7 @@ module castray_core
 
   ray_dispatch #(.Lanes(Lanes)) u_ray_dispatch (
     .clk_i, .rst_ni(datapath_rst_n),
-    .issued_i(px_valid && px_ready), .walk_done_i(walk_done),
+    .restart_i(emit), .issued_i(px_valid && px_ready), .walk_done_i(walk_done),
     .none_in_setup_o(none_in_setup), .exhausted_o(exhausted),
     .in_valid_i(ray_valid), .in_ready_o(ray_ready),
     .out_valid_o(lane_ray_valid), .out_ready_i(lane_ray_ready)
@@ -341,8 +341,8 @@ module castray_core
     .clk_i, .rst_ni(datapath_rst_n), .base_i(job.frame), .stride_i(record.stride),
     .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
     .in_valid_i(done_valid), .in_ready_o(done_ready), .in_i(shaded),
-    .req_valid_o(write_valid[WritePixel]), .req_ready_i(write_ready[WritePixel]),
-    .req_o(write_req[WritePixel]),
+    .out_valid_o(write_valid[WritePixel]), .out_ready_i(write_ready[WritePixel]),
+    .out_o(write_req[WritePixel]),
     .idle_o(gather_idle)
   );
 

@@ -16,7 +16,7 @@ core_parameters = $(join -GLanes= -GContexts= -GTileLog2=,$(subst l,,$(subst t, 
 $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@mkdir -p $(@D)
 	@echo "  VERILATE castray_core $*"
-	@$(VERILATOR) --cc $(VERILATOR_FLAGS) --no-assert --trace-fst --prefix Vcastray_core --Mdir $(@D) \
+	@$(VERILATOR) --cc $(VERILATOR_FLAGS) --no-assert -Wno-fatal --trace-fst --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
 	@MAKEFLAGS= make -s -C $(@D) -f Vcastray_core.mk -j$(JOBS) Vcastray_core__ALL.a CXX=$(CXX) \
 	  USER_CPPFLAGS="-fPIC -fvisibility=hidden" OPT_FAST="-O3 -march=native" OPT_SLOW="-O1" OPT_GLOBAL="-O2" > /dev/null
@@ -49,7 +49,7 @@ $(COMMIT): commit
 	@printf '#pragma once\ninline constexpr const char* kCommit = "%s";\n' \
 	  "$$(git describe --always --dirty 2> /dev/null || echo unknown)" > $@.new
 	@if cmp -s $@ $@.new; then rm $@.new; else mv $@.new $@; fi
-$(CLI_OBJECTS): $(COMMIT)
+$(CLI_OBJECTS) $(BUILD)/obj/sim/bench.o: | $(COMMIT)
 
 $(BUILD)/castray: $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB)
 	@echo "  LINK  castray"

@@ -20,9 +20,10 @@ VERILATED_INC    = -isystem $(VERILATOR_ROOT)/include -isystem $(VERILATOR_ROOT)
 # A test bench wrapper tb/<folder>/<unit>_tb.sv, where there is one, is the top instead of the unit.
 define verilate
 	@mkdir -p $(2)
-	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(4) --prefix V$(1) --Mdir $(2) --MMD \
+	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(4) --prefix V$(1) --Mdir $(2) --MMD --MP \
 	  --top-module $(if $(wildcard $(3)/$(1)_tb.sv),$(1)_tb $(3)/$(1)_tb.sv,$(1) $(shell grep -h '/$(1)\.sv$$' rtl/castray.f))
 	@MAKEFLAGS= make -s -C $(2) -f V$(1).mk V$(1)__ALL.a CXX=$(CXX) OPT_FAST="$(5)" OPT_SLOW="-O0" OPT_GLOBAL="-O2" > /dev/null
+	@sed -i '1s,^[^:]*:,$(2)/V$(1)__ALL.a:,' $(2)/V$(1)__ver.d
 	@touch $(2)/V$(1)__ALL.a
 endef
 

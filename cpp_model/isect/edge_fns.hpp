@@ -15,6 +15,12 @@ struct edge_fns_t {
 // that of rank(C) - rank(B), with rank ordering corners by y, then by descending x.
 inline std::int64_t rank(const sheared2_t& p) { return (p.y << (CoordW + 2)) - p.x; }
 
+// True if the ray is surely outside: all three corners lie on one side of a line through it.
+// Such a triangle is never accepted; most of a scene is dropped here.
+inline bool all_on_one_side(sheared_t a, sheared_t b, sheared_t c) {
+  return (a & b & c) < 0 || ((a - 1) | (b - 1) | (c - 1)) >= 0;
+}
+
 inline edge_fns_t edge_fns(const sheared2_t& a, const sheared2_t& b, const sheared2_t& c) {
   const std::int64_t ra = rank(a), rb = rank(b), rc = rank(c);
   const bool u_up = rc > rb, v_up = ra > rc, w_up = rb > ra;

@@ -16,7 +16,12 @@ inline bool ray_prim(const test_ray_t& ray, const prim_slot_t& prim, ctx_t ctx, 
     const delta3_t a = corner_delta(prim.a, ray.org, ray.axis);
     const delta3_t b = corner_delta(prim.b, ray.org, ray.axis);
     const delta3_t c = corner_delta(prim.c, ray.org, ray.axis);
-    const edge_fns_t e = edge_fns(shear(a, ray), shear(b, ray), shear(c, ray));
+    sheared2_t sa, sb, sc;
+    sa.x = shear(a.x, a.z, ray.sx), sb.x = shear(b.x, b.z, ray.sx), sc.x = shear(c.x, c.z, ray.sx);
+    if (all_on_one_side(sa.x, sb.x, sc.x)) return false;
+    sa.y = shear(a.y, a.z, ray.sy), sb.y = shear(b.y, b.z, ray.sy), sc.y = shear(c.y, c.z, ray.sy);
+    if (all_on_one_side(sa.y, sb.y, sc.y)) return false;
+    const edge_fns_t e = edge_fns(sa, sb, sc);
     if (!accept(e, ray.neg, ray.cull)) return false;
     out.u = static_cast<std::uint64_t>(std::llabs(e.u));
     out.v = static_cast<std::uint64_t>(std::llabs(e.v));

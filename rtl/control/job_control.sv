@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Runs one job from its start to done:
 //   check   the arguments: else ErrRegister, and nothing was touched
-//   clear   the datapath is held in reset for ClearCycles
 //   load    the job loader reads and checks header and frame record
 //   setup   frame_setup makes the camera
 //   run     the walk over the frame
 //   drain   until the walk has ended, the datapath is empty and no burst is outstanding, for
 //           DrainCycles in a row: the last response has come and the counters have settled
-// The first error from load on ends the job: abort blocks the AXI units and holds the datapath in
-// reset until no burst is outstanding; then done, with the code. So the next job finds everything
-// as after a reset. Errors of one cycle rank: read bus, write bus, loader, datapath.
+// The datapath is in reset except from load to drain: at least four cycles between two jobs, so
+// each job finds everything as after a reset, and a change of the arguments meets nothing awake.
+// The first error from load on ends the job: abort resets the datapath and blocks the AXI units
+// until no burst is outstanding, for AbortCycles in a row; then done, with the code. Errors of one
+// cycle rank: read bus, write bus, loader, datapath.
 // An argument is illegal if a register held bits outside its field; a side of the frame is not 1
 // to 4096; the window is empty or leaves the frame; a buffer is not aligned or ends behind the
 // address space; the image's window does not hold header and frame record. The hit buffer counts
@@ -18,7 +19,7 @@
 module job_control
   import castray_pkg::*, castray_image_pkg::*;
 #(
-  parameter int unsigned ClearCycles = 4,
+  parameter int unsigned AbortCycles = 4,
   parameter int unsigned DrainCycles = 4
 ) (
   input  logic   clk_i,
@@ -48,8 +49,8 @@ module job_control
   input  logic   write_error_i,
   input  error_t fault_i           // of the datapath: anything but ErrNone ends the job
 );
-  if (ClearCycles < 2 || ClearCycles > 15 || DrainCycles < 2 || DrainCycles > 15) begin : g_check
-    $error("job_control: ClearCycles and DrainCycles must be 2 to 15");
+  if (AbortCycles < 2 || AbortCycles > 15 || DrainCycles < 2 || DrainCycles > 15) begin : g_check
+    $error("job_control: AbortCycles and DrainCycles must be 2 to 15");
   end
 
   // ---- The arguments ----
@@ -71,24 +72,27 @@ module job_control
   endfunction
 
   // ---- States ----
-  typedef enum logic [3:0] {Idle, Check, Judge, Clear, Load, Setup, Run, Drain, Abort, Done} state_t;
+  typedef enum logic [3:0] {Idle, Check, Judge, Load, Setup, Run, Drain, Abort, Done} state_t;
   state_t     state_q, state_d;
   logic       entered_q;       // the first cycle of a state
   logic [3:0] count_q;         // cycles that a condition has held for
   logic       legal_q, rst_nq, block_q;
   error_t     error_q, error_d;
 
-  logic idle, drained, active;
+  logic   idle, drained, active;
+  error_t load_error;
   assign idle    = read_idle_i && write_idle_i;
   assign drained = idle && walk_done_i && empty_i;
   assign active  = state_q inside {Load, Setup, Run, Drain};
+
+  assign load_error = (state_q == Load && !entered_q && load_done_i) ? load_error_i : ErrNone;
 
   always_comb begin
     error_d = ErrNone;
     if (active) begin
       if (read_error_i) error_d = ErrReadBus;
       else if (write_error_i) error_d = ErrWriteBus;
-      else if (state_q == Load && !entered_q && load_done_i) error_d = load_error_i;
+      else if (load_error != ErrNone) error_d = load_error;
       else error_d = fault_i;
     end else if (state_q == Judge && !legal_q) error_d = ErrRegister;
   end
@@ -98,13 +102,12 @@ module job_control
     unique case (state_q)
       Idle:    if (start_i) state_d = Check;
       Check:   state_d = Judge;
-      Judge:   state_d = legal_q ? Clear : Done;
-      Clear:   if (count_q == 4'(ClearCycles)) state_d = Load;
+      Judge:   state_d = legal_q ? Load : Done;
       Load:    if (!entered_q && load_done_i) state_d = Setup;
       Setup:   if (!entered_q && setup_done_i) state_d = Run;
       Run:     state_d = Drain;
-      Drain:   if (count_q == 4'(DrainCycles)) state_d = Done;
-      Abort:   if (count_q == 4'(ClearCycles)) state_d = Done;
+      Drain:   if (drained && count_q == 4'(DrainCycles - 1)) state_d = Done;
+      Abort:   if (idle && count_q == 4'(AbortCycles - 1)) state_d = Done;
       Done:    state_d = Idle;
       default: state_d = Idle;
     endcase
@@ -122,7 +125,7 @@ module job_control
     end else begin
       state_q   <= state_d;
       entered_q <= state_d != state_q;
-      rst_nq    <= !(state_d inside {Clear, Abort});
+      rst_nq    <= state_d inside {Load, Setup, Run, Drain};
       block_q   <= state_d == Abort;
       if (state_d != state_q) count_q <= '0;
       else if ((state_q == Drain && !drained) || (state_q == Abort && !idle)) count_q <= '0;

@@ -13,21 +13,16 @@ module corner_delta
   output delta_t y_o,
   output delta_t z_o
 );
-  function automatic coord_t pick(axis_t axis, coord_t axis0, coord_t axis1, coord_t axis2);
-    unique case (axis)
-      2'd0:    return axis0;
-      2'd1:    return axis1;
-      default: return axis2;
-    endcase
-  endfunction
-  function automatic delta_t minus(coord_t a, coord_t b);
-    return delta_t'({1'b0, a}) - delta_t'({1'b0, b});
-  endfunction
+  logic   to0, to1;
+  delta_t dx, dy, dz;
+  assign to0 = axis_i == 2'd0;
+  assign to1 = axis_i == 2'd1;
 
-  assign x_o = minus(pick(axis_i, point_i.y, point_i.z, point_i.x),
-                     pick(axis_i, org_i.y, org_i.z, org_i.x));
-  assign y_o = minus(pick(axis_i, point_i.z, point_i.x, point_i.y),
-                     pick(axis_i, org_i.z, org_i.x, org_i.y));
-  assign z_o = minus(pick(axis_i, point_i.x, point_i.y, point_i.z),
-                     pick(axis_i, org_i.x, org_i.y, org_i.z));
+  assign dx = delta_t'({1'b0, point_i.x}) - delta_t'({1'b0, org_i.x});
+  assign dy = delta_t'({1'b0, point_i.y}) - delta_t'({1'b0, org_i.y});
+  assign dz = delta_t'({1'b0, point_i.z}) - delta_t'({1'b0, org_i.z});
+
+  assign x_o = to0 ? dy : to1 ? dz : dx;
+  assign y_o = to0 ? dz : to1 ? dx : dy;
+  assign z_o = to0 ? dx : to1 ? dy : dz;
 endmodule

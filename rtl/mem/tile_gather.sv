@@ -90,12 +90,13 @@ module tile_gather
   end
 
   // ---- Memory ----
-  logic [PlaceW-1:0]           place, read_at;
-  logic                        read;
-  logic [TileLog2-1:0]         read_row;
-  logic [TileLog2-3+1:0]       read_beat;   // one bit where a row is one beat
-  beat_t                       beat;
-  assign place = {slot, in_i.tag.y[TileLog2-1:0], in_i.tag.x[TileLog2-1:2]};
+  logic [PlaceW-1:0] place, read_at;
+  logic              read;
+  beat_t             beat;
+  function automatic logic [PlaceW-1:0] place_of(slot_t s, logic [3:0] row, logic [1:0] group);
+    return (PlaceW'({s, row[TileLog2-1:0]}) << (TileLog2 - 2)) | PlaceW'(group);
+  endfunction
+  assign place = place_of(slot, in_i.tag.y[3:0], 2'(in_i.tag.x[TileLog2-1:0] >> 2));
   for (genvar i = 0; i < Banks; i++) begin : g_bank
     logic [31:0] pixel_q [Depth];
     logic [31:0] read_q;
@@ -107,11 +108,35 @@ module tile_gather
   end
 
   // ---- Complete tiles ----
-  slot_t next;
-  logic  queue_ready, next_valid, next_ready;
+  slot_t      next;
+  logic       queue_ready, next_valid, next_ready;
+  logic [7:0] read_slot;
+  logic [3:0] read_row;
+  logic [1:0] read_beat;
   stream_fifo #(.data_t(slot_t), .Depth((Slots > 1) ? Slots : 2)) u_complete (
     .clk_i, .rst_ni,
     .valid_i(complete), .ready_o(queue_ready), .data_i(slot),
     .valid_o(next_valid), .ready_i(next_ready), .data_o(next), .used_o()
   );
+  tile_rows #(.TileLog2(TileLog2)) u_rows (
+    .clk_i, .rst_ni, .base_i, .stride_i,
+    .tile_valid_i(next_valid), .tile_ready_o(next_ready), .tile_i(tile_q[next]),
+    .read_o(read), .slot_o(read_slot), .row_o(read_row), .beat_o(read_beat), .beat_i(beat),
+    .out_valid_o, .out_ready_i, .out_o, .done_o(free)
+  );
+  assign freed   = slot_t'(read_slot);
+  assign read_at = place_of(freed, read_row, read_beat);
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && in_valid_i) begin
+      assert (busy_q[slot] && count <= size_q[slot]) else $error("a pixel came for no tile");
+      assert (queue_ready) else $error("more complete tiles than slots");
+    end
+    if (rst_ni && request) begin
+      assert (32'(tile_i.slot) < Slots && tile_i.width != '0 && tile_i.height != '0)
+      else $error("an empty tile, or a slot out of range");
+    end
+  end
+`endif
 endmodule

@@ -43,4 +43,10 @@ module pipe_cut #(
     else if (move && take) main_q <= data_i;
     if (!move && take) spare_q <= data_i;
   end
+
+`ifndef SYNTHESIS
+  stream_check #(.data_t(data_t)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(valid_o), .ready_i(ready_i), .data_i(data_o)
+  );
+`endif
 endmodule

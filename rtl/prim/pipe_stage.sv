@@ -30,4 +30,10 @@ module pipe_stage #(
   always_ff @(posedge clk_i) begin
     if (ready_o && valid_i) data_q <= data_i;
   end
+
+`ifndef SYNTHESIS
+  stream_check #(.data_t(data_t)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(valid_o), .ready_i(ready_i), .data_i(data_o)
+  );
+`endif
 endmodule

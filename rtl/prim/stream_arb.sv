@@ -53,4 +53,16 @@ module stream_arb #(
       index_q  <= pick;
     end
   end
+
+`ifndef SYNTHESIS
+  // Combinational: what it offers is kept only if its inputs keep what they offer.
+  for (genvar i = 0; i < N; i++) begin : g_check_in
+    stream_check #(.data_t(data_t)) u_check_in (
+      .clk_i, .rst_ni, .valid_i(valid_i[i]), .ready_i(ready_o[i]), .data_i(data_i[i])
+    );
+  end
+  stream_check #(.data_t(data_t)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(valid_o), .ready_i(ready_i), .data_i(data_o)
+  );
+`endif
 endmodule

@@ -53,4 +53,10 @@ module stream_fifo #(
   always_ff @(posedge clk_i) begin
     if (push) mem_q[tail_q] <= data_i;
   end
+
+`ifndef SYNTHESIS
+  stream_check #(.data_t(data_t)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(valid_o), .ready_i(ready_i), .data_i(data_o)
+  );
+`endif
 endmodule

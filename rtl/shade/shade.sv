@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The colour of a hit: its normal, interpolated or from the sphere's centre, and the ray's
-// direction (Sx, Sy, 1) unpermuted go through ONE normaliser, one after the other; then paint.
+// The colour of a hit: the ray's direction, (Sx, Sy, 1) unpermuted, and the normal, interpolated
+// or from the sphere's centre, go through ONE normaliser, one after the other; then paint.
 //
-//   in -+-> interpolate ---+                        +-> normal waits -+
-//       +-> sphere_normal -+-> normal, direction -> normalise --------+-> paint -> out
-//       +-> rays (FIFO) ---+-> paints (FIFO) --------------------------+
+//   in -+-> rays (FIFO) ---+-> direction, +-> normalise -+-> direction waits -+
+//       +-> interpolate ---+   normal ----+              +-> normal ----------+-> paint -> out
+//       +-> sphere_normal -+-> paints (FIFO) -----------------------------------+
 //
-// The head of `rays` says which unit has the next normal, so hits stay in order.
+// The head of `rays` says which unit has the next normal, so hits stay in order. The direction
+// goes first, so that a normal leaves its unit in one cycle.
 // Only found hits enter. One hit every two cycles; eye_i and paint_i stand still during a frame.
 // Model: cpp_model/shade/shade.hpp, equal bit for bit.
 module shade
@@ -47,7 +48,7 @@ module shade
     tex_t       t;
   } paint_part_t;
   typedef struct packed {
-    logic   direction;   // the second vector of a hit
+    logic   normal;   // the second vector of a hit
     span3_t v;
   } vector_t;
 
@@ -93,14 +94,14 @@ module shade
   unpermute u_turn (.axis_i(ray.axis), .in_i(permuted), .out_o(direction));
   always_comb begin
     permuted = '{x: widen_shear(ray.sx), y: widen_shear(ray.sy), z: span_t'(1 << ShearFrac)};
-    vector.direction = second_q;
-    if (second_q) vector.v = direction;
+    vector.normal = second_q;
+    if (!second_q) vector.v = direction;
     else if (ray.kind == KindSphere) vector.v = from_centre;
     else vector.v = '{x: widen_unit(smooth.normal.x), y: widen_unit(smooth.normal.y),
                       z: widen_unit(smooth.normal.z)};
   end
   assign normal_valid = rays_valid && (ray.kind == KindSphere ? sphere_valid : tri_valid);
-  assign vector_valid = normal_valid && (!second_q || paints_ready);
+  assign vector_valid = second_q ? normal_valid && paints_ready : rays_valid;
   assign vector_taken = vector_valid && vector_ready;
   assign rays_taken   = vector_taken && second_q;
   assign tri_taken    = rays_taken && ray.kind != KindSphere;
@@ -116,14 +117,14 @@ module shade
     .valid_i(vector_valid), .ready_o(vector_ready), .data_i(vector),
     .valid_o(to_valid), .ready_i(to_ready), .data_o(to_normalise)
   );
-  logic   unit_valid, unit_ready, unit_direction;
-  unit3_t unit, normal_q;
+  logic   unit_valid, unit_ready, unit_normal;
+  unit3_t unit, view_q;
   normalise #(.tag_t(logic)) u_normalise (
     .clk_i, .rst_ni,
     .in_valid_i(to_valid), .in_ready_o(to_ready),
     .in_x_i(to_normalise.v.x), .in_y_i(to_normalise.v.y), .in_z_i(to_normalise.v.z),
-    .in_tag_i(to_normalise.direction),
-    .out_valid_o(unit_valid), .out_ready_i(unit_ready), .out_o(unit), .out_tag_o(unit_direction)
+    .in_tag_i(to_normalise.normal),
+    .out_valid_o(unit_valid), .out_ready_i(unit_ready), .out_o(unit), .out_tag_o(unit_normal)
   );
 
   // ---- The rest of what paint takes waits here ----
@@ -135,17 +136,17 @@ module shade
     .data_i('{tag: ray.tag, kind: ray.kind, material: ray.material, s: smooth.s, t: smooth.t}),
     .valid_o(part_valid), .ready_i(paint_valid && paint_ready), .data_o(part), .used_o()
   );
-  assign paint_valid = unit_valid && unit_direction && part_valid;
-  assign unit_ready  = !unit_direction || (paint_ready && part_valid);
+  assign paint_valid = unit_valid && unit_normal && part_valid;
+  assign unit_ready  = !unit_normal || (paint_ready && part_valid);
   always_ff @(posedge clk_i) begin
-    if (unit_valid && !unit_direction) normal_q <= unit;
+    if (unit_valid && !unit_normal) view_q <= unit;
   end
 
   paint u_paint (
     .clk_i, .rst_ni, .paint_i,
     .in_valid_i(paint_valid), .in_ready_o(paint_ready),
     .in_i('{tag: part.tag, kind: part.kind, material: part.material, s: part.s, t: part.t,
-            normal: normal_q, view: unit}),
+            normal: unit, view: view_q}),
     .out_valid_o, .out_ready_i, .out_o
   );
 endmodule

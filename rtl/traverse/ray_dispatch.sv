@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Deals rays out to the lanes in turn, ray k to lane k mod Lanes, and knows when the source is
+// Deals rays out to the lanes in turn, ray k of a batch to lane k mod Lanes, so that the first lane
+// never has fewer than another (restart_i: a batch has ended). And knows when the source is
 // exhausted: issued_i counts a ray from where it is promised (a pixel leaves the walk), so
 // exhausted_o means that the walk has ended and no ray is still being set up.
 // Combinational payload, one ray a cycle.
@@ -12,6 +13,7 @@ module ray_dispatch
   input  logic             clk_i,
   input  logic             rst_ni,
 
+  input  logic             restart_i,
   input  logic             issued_i,
   input  logic             walk_done_i,
   output logic             none_in_setup_o,
@@ -43,7 +45,8 @@ module ray_dispatch
       next_q      <= '0;
       under_way_q <= '0;
     end else begin
-      if (taken) next_q <= (next_q == LaneW'(Lanes - 1)) ? '0 : next_q + 1'b1;
+      if (restart_i) next_q <= '0;
+      else if (taken) next_q <= (next_q == LaneW'(Lanes - 1)) ? '0 : next_q + 1'b1;
       if (issued_i != taken) under_way_q <= issued_i ? under_way_q + 1'b1 : under_way_q - 1'b1;
     end
   end

@@ -48,7 +48,7 @@ void CoreArguments::add_to(CLI::App& command) {
 
 sim::RtlOptions CoreArguments::options() const {
   sim::RtlOptions options;
-  options.variant = {lanes, contexts, std::bit_width(static_cast<unsigned>(tile)) - 1};
+  options.variant = {lanes, contexts, static_cast<int>(std::bit_width(static_cast<unsigned>(tile))) - 1};
   options.timing = sim::AxiTiming::named(memory);
   options.timing.reorder = reorder;
   options.stalls = stalls;

@@ -4,11 +4,12 @@
 
 #include "arguments.hpp"
 #include "core.hpp"
+#include "driver.hpp"
 #include "error_text.hpp"
-#include "frame_run.hpp"
 #include "model_device.hpp"
 #include "probe.hpp"
 #include "reference/float64.hpp"
+#include "rtl_device.hpp"
 #include "scene/compile.hpp"
 
 namespace castray::cli {
@@ -91,15 +92,15 @@ ExitCode ray(const Arguments& args) {
 
   sim::RtlOptions device = args.core.options();
   device.trace_file = args.trace;
+  sim::RtlDevice rtl(device);
+  sim::Driver rtl_driver(rtl);
+  rtl_driver.load(image);
   sim::Probe probe;
-  sim::RtlRun run;
-  {
-    const sim::Probe::Attached attached(probe);
-    run = sim::run_rtl(image, device, options);
-  }
+  const sim::Probe::Attached attached(probe);
+  const sim::Rendering rendering = rtl_driver.render(options);
 
   std::printf("%s, pixel (%d, %d) of %dx%d: %s\n\n  %-18s %24s %24s\n", args.scene.file.c_str(), args.x, args.y, scene.width,
-              scene.height, run.device.c_str(), "", "model", "rtl");
+              scene.height, rtl.description().c_str(), "", "model", "rtl");
   Sheet sheet(args.limit);
   pixel_dir_t direction;
   direction.tag = trace.tag;
@@ -110,14 +111,14 @@ ExitCode ray(const Arguments& args) {
   sheet.stage("distances (hit_unit)", trace.results, probe.results);
   sheet.stage("nearest hit (lane)", std::vector{trace.hit}, probe.hits);
   sheet.stage("pixel (shade)", std::vector{trace.shaded}, probe.shaded);
-  sheet.stage("hit record", record_at(expected, args.x, args.y), record_at(run.rendering, args.x, args.y));
+  sheet.stage("hit record", record_at(expected, args.x, args.y), record_at(rendering, args.x, args.y));
 
   const ReferencePixel reference = trace_float64(scene, scene.width, scene.height, args.x, args.y);
   std::printf("\nfloat64: primitive %d, distance %.9g (model %.9g), u %.9g, v %.9g, colour %d %d %d\n", reference.prim, reference.t,
               trace.hit.found ? scene_distance(image, args.x, args.y, trace.hit.t) : std::numeric_limits<double>::infinity(),
               reference.u, reference.v, reference.colour[0], reference.colour[1], reference.colour[2]);
-  if (run.rendering.error != ErrNone) {
-    std::fprintf(stderr, "castray: the core stopped: %s\n", sim::error_text(run.rendering.error));
+  if (rendering.error != ErrNone) {
+    std::fprintf(stderr, "castray: the core stopped: %s\n", sim::error_text(rendering.error));
     return kDeviceError;
   }
   std::printf("%zu values differ between model and RTL\n", sheet.differ());

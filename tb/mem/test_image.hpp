@@ -22,9 +22,9 @@ struct TestImage {
     header.version = ImageVersion;
     header.parameters = ImageParameters;
     header.primitives = 100;
-    header.lines = {.count = 50, .offset = 256};
-    header.attributes = {.count = 100, .offset = 3584};
-    header.nodes = {.count = 0, .offset = 0};
+    header.lines = {.offset = 256, .count = 50};
+    header.attributes = {.offset = 3584, .count = 100};
+    header.nodes = {.offset = 0, .count = 0};
     header.image_bytes = kImageBytes;
     frame.width = 33;
     frame.height = 17;
@@ -75,11 +75,11 @@ inline const Defect kRecordDefects[] = {
     {"lines behind the end", ErrSection, [](TestImage& t) { t.header.lines.count = (kImageBytes - 256) / 64 + 1; }},
     {"lines far behind the end", ErrSection, [](TestImage& t) { t.header.lines.count = 0x0400'0001; }},
     {"lines at the very end", ErrSection, [](TestImage& t) { t.header.lines.offset = 0xffff'ff00; }},
-    {"no lines anywhere", ErrNone, [](TestImage& t) { t.header.lines = {.count = 0, .offset = 0xffff'ffff}; }},
+    {"no lines anywhere", ErrNone, [](TestImage& t) { t.header.lines = {.offset = 0xffff'ffff, .count = 0}; }},
     {"attributes unaligned", ErrSection, [](TestImage& t) { t.header.attributes.offset -= 64; }},
     {"attributes one too many", ErrSection, [](TestImage& t) { t.header.attributes.count += 1; }},
-    {"nodes to the last byte", ErrNone, [](TestImage& t) { t.header.nodes = {.count = 4, .offset = kImageBytes - 256}; }},
-    {"nodes behind the end", ErrSection, [](TestImage& t) { t.header.nodes = {.count = 5, .offset = kImageBytes - 256}; }},
+    {"nodes to the last byte", ErrNone, [](TestImage& t) { t.header.nodes = {.offset = kImageBytes - 256, .count = 4}; }},
+    {"nodes behind the end", ErrSection, [](TestImage& t) { t.header.nodes = {.offset = kImageBytes - 256, .count = 5}; }},
     {"a primitive without attributes", ErrSection, [](TestImage& t) { t.header.primitives = 101; }},
     {"fewer primitives than attributes", ErrNone, [](TestImage& t) { t.header.primitives = 0; }},
     {"all numbers in use", ErrNone, [](TestImage& t) {
@@ -91,7 +91,7 @@ inline const Defect kRecordDefects[] = {
        t.header.image_bytes = t.job.image_bytes = 3584 + (NoPrim + 1) * 64;
      }},
     {"another width", ErrFrameRecord, [](TestImage& t) { t.frame.width = 32; }},
-    {"a width with a higher bit", ErrFrameRecord, [](TestImage& t) { t.frame.width += 0x8000; }},
+    {"a width with a higher bit", ErrFrameRecord, [](TestImage& t) { t.frame.width |= 0x8000; }},
     {"another height", ErrFrameRecord, [](TestImage& t) { t.frame.height = 18; }},
     {"stride unaligned", ErrFrameRecord, [](TestImage& t) { t.frame.stride = 160; }},
     {"stride below a row", ErrFrameRecord, [](TestImage& t) { t.frame.stride = 128; }},

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes the rows of one complete tile after another, each as one burst of the tile's full width:
+//   address = base + y stride + 4 (x - x mod Size)    strobes: x to x + width - 1 of the tile
+//   multiply, address   one cycle each, once a tile: y stride/64 is 12x26 bits, one DSP
+//   read                Size/4 cycles, four pixels each from the gather's memory (they come a
+//                       cycle later), and one cycle for the last of them
+//   send                the row, until taken; then the next one, or done_o with the slot still
+//                       on slot_o
+// A row takes Size/4 + 2 cycles and a tile 3 more: at most 15 of 16 for a tile of 4 x 4.
+module tile_rows
+  import castray_pkg::*;
+  import castray_image_pkg::*;
+#(
+  parameter int unsigned TileLog2 = 3
+) (
+  input  logic        clk_i,
+  input  logic        rst_ni,
+
+  input  addr_t       base_i,
+  input  logic [31:0] stride_i,
+
+  input  logic        tile_valid_i,
+  output logic        tile_ready_o,
+  input  tile_t       tile_i,
+
+  output logic        read_o,        // the beat of a row, beat_i a cycle later
+  output logic [7:0]  slot_o,
+  output logic [3:0]  row_o,         // of the tile's place in the grid, not of its first row
+  output logic [1:0]  beat_o,
+  input  beat_t       beat_i,
+
+  output logic        out_valid_o,
+  input  logic        out_ready_i,
+  output write_req_t  out_o,
+  output logic        done_o         // the tile's last row was taken
+);
+  if (TileLog2 < 2 || TileLog2 > 4) begin : g_tile
+    $error("tile_rows: TileLog2 must be 2, 3 or 4");
+  end
+
+  localparam int unsigned Size       = 1 << TileLog2;
+  localparam int unsigned Beats      = Size * PixelBytes / StrbW;
+  localparam int unsigned StrideLog2 = $clog2(BufferAlign);
+
+  typedef enum logic [2:0] { Idle, Multiply, Address, Read, Last, Send } state_t;
+  state_t state_q;
+  tile_t  tile_q;
+  logic [1:0] beat_q;
+  logic [4:0] rows_q;                 // rows left, this one included
+
+  // The pixels of a row that are the tile's.
+  function automatic logic [Size-1:0] columns(pixel_t x, logic [4:0] width);
+    logic [TileLog2-1:0] first;
+    first = x[TileLog2-1:0];
+    for (int unsigned i = 0; i < Size; i++)
+      columns[i] = 32'(first) <= i && i < 32'(first) + 32'(width);
+  endfunction
+  function automatic logic [63:0] strobes(logic [Size-1:0] pixels);
+    strobes = '0;
+    for (int unsigned i = 0; i < Size; i++) strobes[PixelBytes*i +: PixelBytes] = {PixelBytes{pixels[i]}};
+  endfunction
+
+  // ---- Control ----
+  logic taken;
+  assign tile_ready_o = state_q == Idle;
+  assign taken        = out_valid_o && out_ready_i;
+  assign done_o       = taken && rows_q == 5'd1;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      state_q <= Idle;
+    end else begin
+      unique case (state_q)
+        Idle:     if (tile_valid_i) state_q <= Multiply;
+        Multiply: state_q <= Address;
+        Address:  state_q <= Read;
+        Read:     if (beat_q == 2'(Beats - 1)) state_q <= Last;
+        Last:     state_q <= Send;
+        default:  if (out_ready_i) state_q <= done_o ? Idle : Read;
+      endcase
+    end
+  end
+
+  // ---- Address ----
+  logic [37:0] product_q;
+  addr_t       addr_q;
+  logic [3:0]  row_q;
+  function automatic logic [37:0] mul_row(pixel_t y, logic [31:StrideLog2] stride);
+    return 38'(y) * 38'(stride);
+  endfunction
+  always_ff @(posedge clk_i) begin
+    if (state_q == Idle && tile_valid_i) begin
+      tile_q <= tile_i;
+      rows_q <= tile_i.height;
+      row_q  <= 4'(tile_i.y[TileLog2-1:0]);
+    end
+    if (state_q == Multiply) product_q <= mul_row(tile_q.y, stride_i[31:StrideLog2]);
+    if (state_q == Address) begin
+      addr_q <= base_i + addr_t'({product_q, {StrideLog2{1'b0}}}) +
+                addr_t'({tile_q.x[11:TileLog2], {(TileLog2 + $clog2(PixelBytes)){1'b0}}});
+    end
+    if (taken) begin
+      addr_q <= addr_q + addr_t'(stride_i);
+      rows_q <= rows_q - 1'b1;
+      row_q  <= row_q + 1'b1;
+    end
+  end
+
+  // ---- Beats ----
+  beat_t row_beats_q [Beats];   // the lowest first; they come in through the last one
+  logic  arrives_q;
+  assign read_o = state_q == Read;
+  assign slot_o = tile_q.slot;
+  assign row_o  = row_q;
+  assign beat_o = beat_q;
+  always_ff @(posedge clk_i) begin
+    arrives_q <= read_o;
+    beat_q    <= read_o ? beat_q + 1'b1 : '0;
+    if (arrives_q) begin
+      for (int unsigned i = 0; i + 1 < Beats; i++) row_beats_q[i] <= row_beats_q[i+1];
+      row_beats_q[Beats-1] <= beat_i;
+    end
+  end
+
+  // ---- Send ----
+  assign out_valid_o = state_q == Send;
+  always_comb begin
+    out_o = '{
+      addr:  addr_q,
+      beats: 3'(Beats),
+      strb:  strobes(columns(tile_q.x, tile_q.width)),
+      data:  '0
+    };
+    for (int unsigned i = 0; i < Beats; i++) out_o.data[DataW*i +: DataW] = row_beats_q[i];
+  end
+endmodule

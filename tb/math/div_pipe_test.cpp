@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// div_pipe: equal to its model under stalls, for the widths that the core uses and for stages that
+// do not divide the digits evenly; ties, extremes and the guarded results by hand.
+#include "Vdiv_pipe.h"
+#include "dut.hpp"
+#include "math/divide.hpp"
+
+namespace castray::tb {
+namespace {
+
+// As in div_pipe_tb.sv.
+struct Config {
+  int num_w, qfrac, bits;
+  int stages() const { return (qfrac + 2 + bits - 1) / bits + 1; }
+  std::uint64_t largest() const { return (std::uint64_t{1} << num_w) - 1; }
+};
+constexpr Config kConfigs[] = {{32, 26, 2}, {32, 26, 1}, {26, 24, 3}, {18, 17, 2}};
+
+struct Division {
+  static constexpr int kBits = 80;
+  std::uint64_t num = 0, den = 0, tag = 0;
+  template <class F> void each_field(F&& f) const {
+    f("num", num, 0, 32, false);
+    f("den", den, 32, 32, false);
+    f("tag", tag, 64, 16, false);
+  }
+};
+struct Quotient {
+  static constexpr int kBits = 48;
+  std::uint64_t q = 0, tag = 0;
+  template <class F> void each_field(F&& f) {
+    f("q", q, 0, 32, false);
+    f("tag", tag, 32, 16, false);
+  }
+  bool operator==(const Quotient&) const = default;
+};
+
+class DivPipe : public ::testing::TestWithParam<std::tuple<int, Stalls>> {
+ protected:
+  void choose(int which) {
+    config = kConfigs[which];
+    dut->which_i = which;
+  }
+  std::vector<Quotient> run(std::vector<Division> in, Stalls stalls = {}) {
+    for (std::size_t i = 0; i < in.size(); ++i) in[i].tag = (i * 40503) & 0xffff;
+    const auto got = run_stream<Quotient>(dut, in, in.size(), stalls);
+    EXPECT_EQ(got.size(), in.size());
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      EXPECT_EQ(got[i].tag, in[i].tag);
+      EXPECT_EQ(got[i].q, div_nearest(in[i].num, in[i].den, config.qfrac)) << in[i].num << " / " << in[i].den;
+    }
+    return got;
+  }
+  std::uint64_t divide(std::uint64_t num, std::uint64_t den) { return run({{num, den}}).at(0).q; }
+
+  Dut<Vdiv_pipe> dut;
+  Config config = kConfigs[0];
+  std::mt19937_64 rng{7};
+
+  // num <= den, both of any magnitude; now and then equal, or not allowed.
+  Division random_division() {
+    std::uint64_t den = (rng() & config.largest()) >> (rng() % 4 ? 0 : rng() % config.num_w);
+    std::uint64_t num = (rng() & config.largest()) >> (rng() % 2 ? 0 : rng() % config.num_w);
+    if (num > den && rng() % 32) std::swap(num, den);
+    if (rng() % 32 == 0) num = den - (den != 0 && rng() % 2);
+    return {num, den};
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Configs, DivPipe, ::testing::Combine(::testing::Range(0, 4), ::testing::ValuesIn(kStallPatterns)));
+
+TEST_P(DivPipe, MatchesModel) {
+  choose(std::get<0>(GetParam()));
+  std::vector<Division> in(8000);
+  for (auto& division : in) division = random_division();
+  run(in, std::get<1>(GetParam()));
+}
+
+// q - 1/2 <= exact < q + 1/2, all times 2 den.
+TEST_F(DivPipe, ModelIsTheNearest) {
+  for (const Config& each : kConfigs) {
+    config = each;
+    for (int i = 0; i < 200000; ++i) {
+      const Division d = random_division();
+      if (d.den == 0 || d.num > d.den) continue;
+      const int128 q = div_nearest(d.num, d.den, config.qfrac);
+      const int128 exact = static_cast<int128>(d.num) << (config.qfrac + 1);
+      ASSERT_TRUE((2 * q - 1) * d.den <= exact && exact < (2 * q + 1) * d.den) << d.num << " / " << d.den;
+    }
+  }
+}
+
+TEST_F(DivPipe, RoundsTiesUp) {
+  for (const int which : {0, 1}) {
+    choose(which);
+    // A quotient of k + 1/2 units exactly, and its neighbours to either side.
+    for (const std::uint64_t k : {0ull, 1ull, 2ull, 12345ull, (1ull << 26) - 1}) {
+      const std::uint64_t den = 1ull << 31, tie = (2 * k + 1) << 4;
+      EXPECT_EQ(divide(tie, den), k + 1);
+      EXPECT_EQ(divide(tie - 1, den), k);
+      EXPECT_EQ(divide(tie + 1, den), k + 1);
+    }
+    // Ties over a divisor that is no power of two: 1/2 and 3/2 units.
+    EXPECT_EQ(divide(7, 7 << 27), 1u);
+    EXPECT_EQ(divide(6, 7 << 27), 0u);
+    EXPECT_EQ(divide(21, 7 << 27), 2u);
+    EXPECT_EQ(divide(20, 7 << 27), 1u);
+  }
+}
+
+TEST_F(DivPipe, KnowsItsExtremes) {
+  for (int which = 0; which < 4; ++which) {
+    choose(which);
+    const std::uint64_t one = std::uint64_t{1} << config.qfrac, top = config.largest();
+    EXPECT_EQ(divide(0, 1), 0u);
+    EXPECT_EQ(divide(0, top), 0u);
+    EXPECT_EQ(divide(1, 1), one);
+    EXPECT_EQ(divide(top, top), one);
+    EXPECT_EQ(divide(1, 2), one / 2);
+    EXPECT_EQ(divide(1, 3), (one + 1) / 3);
+    EXPECT_EQ(divide(top / 2, top), one / 2) << "rounds up to a half";
+    EXPECT_EQ(divide(top - 1, top), config.num_w > config.qfrac + 1 ? one : div_nearest(top - 1, top, config.qfrac));
+  }
+}
+
+TEST_F(DivPipe, GuardsItsDivisor) {
+  for (int which = 0; which < 4; ++which) {
+    choose(which);
+    const std::uint64_t one = std::uint64_t{1} << config.qfrac, top = config.largest();
+    EXPECT_EQ(divide(0, 0), 0u);
+    EXPECT_EQ(divide(1, 0), 0u);
+    EXPECT_EQ(divide(top, 0), 0u);
+    EXPECT_EQ(divide(2, 1), one);
+    EXPECT_EQ(divide(top, top - 1), one);
+    EXPECT_EQ(divide(top, 1), one);
+  }
+}
+
+TEST_F(DivPipe, FillsEveryStageWhileBlocked) {
+  for (int which = 0; which < 4; ++which) {
+    choose(which);
+    dut->out_ready_i = 0;
+    int taken = 0;
+    for (int cycle = 0; cycle < 100; ++cycle) {
+      dut->in_valid_i = 1;
+      set_port(dut->in_i, Division{static_cast<std::uint64_t>(taken), 1000, static_cast<std::uint64_t>(taken)});
+      dut.settle();
+      EXPECT_EQ(dut->in_ready_o, taken < config.stages());
+      EXPECT_EQ(dut->out_valid_o, cycle >= config.stages()) << "latency";
+      taken += dut->in_ready_o;
+      dut.tick();
+    }
+    EXPECT_EQ(taken, config.stages());
+    dut->in_valid_i = 0;
+    dut->out_ready_i = 1;
+    for (int i = 0; i < taken; ++i) {
+      dut.settle();
+      ASSERT_TRUE(dut->out_valid_o);
+      EXPECT_EQ(get_port<Quotient>(dut->out_o), (Quotient{div_nearest(i, 1000, config.qfrac), static_cast<std::uint64_t>(i)}));
+      dut.tick();
+    }
+    dut.settle();
+    EXPECT_FALSE(dut->out_valid_o);
+  }
+}
+
+}  // namespace
+}  // namespace castray::tb
