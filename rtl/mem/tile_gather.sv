@@ -42,7 +42,7 @@ module tile_gather
   localparam int unsigned SlotW  = (Slots > 1) ? $clog2(Slots) : 1;
   localparam int unsigned Banks  = 4;
   localparam int unsigned PlaceW = SlotW + 2 * TileLog2 - 2;   // slot, row, column / 4
-  localparam int unsigned Depth  = Slots << (2 * TileLog2 - 2);
+  localparam int unsigned Depth  = 1 << PlaceW;
   typedef logic [SlotW-1:0]      slot_t;
   typedef logic [2*TileLog2:0]   count_t;
 
