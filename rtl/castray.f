@@ -14,6 +14,7 @@ rtl/prim/stream_fork.sv
 rtl/math/cordic_sqrt.sv
 rtl/math/div_pipe.sv
 rtl/math/mul27.sv
+rtl/math/mul27_parts.sv
 rtl/math/root_seq.sv
 rtl/camera/dominant_axis.sv
 rtl/camera/frame_setup.sv

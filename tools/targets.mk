@@ -46,5 +46,8 @@ faults: ## plant each fault of tb/faults; its unit's test must catch it (UNITS=i
 unit/%: $(BUILD)/unit/%_test
 	$<
 
+hashes: programs ## write the SHA-256 of each scene's small frame anew: scenes/frames.sha256
+	@tb/cli/hashes.sh --write
+
 clean: ## remove everything that was built
 	@rm -rf $(BUILD)

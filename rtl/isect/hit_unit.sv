@@ -27,7 +27,13 @@ module hit_unit
   output logic     retire_o
 );
   localparam int unsigned DivBitsPerStage = 2;
-  localparam int unsigned Waiting         = 16;  // candidates between issue and tail
+  // Candidates between issue and result: one every two cycles, through the divider (QFrac + 2 bits,
+  // and its rounding), the tail's six stages and one to spare.
+  localparam int unsigned InFlight = ((BaryFrac + 2) / DivBitsPerStage + 1 + 6) / 2 + 2;
+  localparam int unsigned Places   = 16;
+  if (InFlight > Places) begin : g_check
+    $error("hit_unit: more candidates in flight than places");
+  end
 
   // ---- Front: one candidate ----
   typedef enum logic [1:0] {Empty, Start, Ready} step_t;
@@ -77,36 +83,20 @@ module hit_unit
     .scale0_o(sphere_scale0), .scale1_o(sphere_scale1)
   );
 
-  // ---- Issue: the candidate's two divisions; what its tail needs waits in a queue ----
-  typedef struct packed {
-    ctx_t   ctx;
-    prim_t  number;
-    logic   kind;
-    logic   neg;
-    logic   cull;
-    t_t     tmin;
-    delta_t cz;
-    delta_t scale0;
-    delta_t scale1;
-  } division_t;
-
+  // ---- Issue: the candidate's two divisions ----
   function automatic delta_t minus(logic signed [31:0] a, delta_t b);
     return delta_t'(a) - b;  // both corners lie on the grid: it fits
   endfunction
-  function automatic division_t job_of(cand_t cand, hit_ray_t ray, delta_t sphere0, delta_t sphere1);
-    logic sphere;
-    sphere = cand.kind == KindSphere;
-    return '{ctx: cand.ctx, number: cand.number, kind: cand.kind, neg: ray.neg, cull: ray.cull,
-             tmin: ray.tmin, cz: cand.cz,
-             scale0: sphere ? sphere0 : minus(cand.az, cand.cz),
-             scale1: sphere ? sphere1 : minus(32'(cand.bz), cand.cz)};
-  endfunction
 
-  division_t               job_q;
-  logic               queue_ready, div_ready;
+  ctx_t               job_ctx_q;
+  prim_t              job_number_q;
+  logic               job_kind_q;
+  delta_t             job_cz_q, scale0_q, scale1_q;
+  hit_ray_t           job_ray_q;
+  logic               div_ready;
   logic [HitDivW-1:0] num, den;
 
-  assign issue  = job_valid_q && (job_last_q || queue_ready);
+  assign issue  = job_valid_q;
   assign issued = issue && div_ready && job_last_q;
 
   always_ff @(posedge clk_i) begin
@@ -120,18 +110,24 @@ module hit_unit
     end
   end
   always_ff @(posedge clk_i) begin
-    if (load) job_q <= job_of(cand_q, ray_q, sphere_scale0, sphere_scale1);
+    if (load) begin
+      job_ctx_q    <= cand_q.ctx;
+      job_number_q <= cand_q.number;
+      job_kind_q   <= cand_q.kind;
+      job_cz_q     <= cand_q.cz;
+      job_ray_q    <= ray_q;
+      scale0_q     <= is_sphere ? sphere_scale0 : minus(cand_q.az, cand_q.cz);
+      scale1_q     <= is_sphere ? sphere_scale1 : minus(32'(cand_q.bz), cand_q.cz);
+    end
   end
 
-  // ---- Division and tail ----
-  logic  q_valid, q_last, unused_job_valid;
-  bary_t q;
-  division_t  done_job;
-  logic [$clog2(Waiting+1)-1:0] unused_used;
-
-  assign num = (job_q.kind == KindSphere) ? (job_last_q ? sphere_num1 : sphere_num0)
+  assign num = (job_kind_q == KindSphere) ? (job_last_q ? sphere_num1 : sphere_num0)
                                           : (job_last_q ? tri_num1 : tri_num0);
-  assign den = (job_q.kind == KindSphere) ? sphere_den : tri_den;
+  assign den = (job_kind_q == KindSphere) ? sphere_den : tri_den;
+
+  // ---- Division and tail ----
+  logic  q_valid, q_last;
+  bary_t q;
 
   div_pipe #(.NumW(HitDivW), .QFrac(BaryFrac), .BitsPerStage(DivBitsPerStage), .tag_t(logic)) u_div (
     .clk_i, .rst_ni,
@@ -139,18 +135,12 @@ module hit_unit
     .out_valid_o(q_valid), .out_ready_i(1'b1), .out_q_o(q), .out_tag_o(q_last)
   );
 
-  stream_fifo #(.data_t(division_t), .Depth(Waiting)) u_queue (
+  hit_distance #(.Places(Places)) u_distance (
     .clk_i, .rst_ni,
-    .valid_i(issue && div_ready && !job_last_q), .ready_o(queue_ready), .data_i(job_q),
-    .valid_o(unused_job_valid), .ready_i(q_valid && q_last), .data_o(done_job), .used_o(unused_used)
-  );
-
-  hit_distance u_distance (
-    .clk_i, .rst_ni,
+    .put_i(issue && div_ready && !job_last_q), .put_ctx_i(job_ctx_q), .put_number_i(job_number_q),
+    .put_kind_i(job_kind_q), .put_cz_i(job_cz_q), .put_scale0_i(scale0_q), .put_scale1_i(scale1_q),
+    .put_ray_i(job_ray_q),
     .q_valid_i(q_valid), .q_last_i(q_last), .q_i(q),
-    .ctx_i(done_job.ctx), .number_i(done_job.number), .kind_i(done_job.kind), .neg_i(done_job.neg),
-    .cull_i(done_job.cull), .tmin_i(done_job.tmin), .cz_i(done_job.cz),
-    .scale0_i(done_job.scale0), .scale1_i(done_job.scale1),
     .done_o(retire_o), .out_valid_o, .out_o
   );
 endmodule

@@ -2,15 +2,14 @@
 // One ray against one primitive, exactly: which line meets which triangle or sphere, and what is
 // left to divide. The ray is P = org + z (Sx, Sy, 1) on permuted axes.
 //           triangle A, B, C                          sphere, centre in a, radius R in b.x
-//   s1-s3   corners from the origin; sx z, sy z       the centre likewise; |S|^2 R on B's multiplier
-//   s4      sheared corners          (shear)          X, Y; N = |S|^2 R
-//   s5-s7   six products             (edge_fns)       the same six multipliers, and Y Sy
-//   s8      U, V, W and their signs                   Z
-//   s9      accepted?                (accept)         Z^2 in s8-s10   (sphere_disc)
-//   s10     |U|, |V|, |det|
-//   s11     wait for the spheres                      disc, accepted if not negative
-//   s12     out
-// One test a cycle, 12 cycles from in_valid_i to out_valid_o or retire_o (never both), never
+//   s1-s3   sheared corners          (shear)          X, Y; N = |S|^2 R on B's multiplier
+//   s4-s6   six products             (edge_fns)       the same six multipliers, and Y Sy
+//   s7      U, V, W and their signs                   Z
+//   s8      accepted?                (accept)         Z^2 in s7-s9   (sphere_disc)
+//   s9      |U|, |V|, |det|
+//   s10     wait for the spheres                      disc, accepted if not negative
+//   s11     out
+// One test a cycle, 11 cycles from in_valid_i to out_valid_o or retire_o (never both), never
 // stalls. An empty slot (NoPrim), and a sphere of radius 0 or of 2^25 and more, is never accepted.
 // 28 DSPs. What only an accepted test needs again waits in small memories, not in every stage.
 // Model: cpp_model/isect/ray_prim.hpp, equal bit for bit.
@@ -29,14 +28,14 @@ module ray_prim
   output cand_t      out_o,
   output logic       retire_o
 );
-  localparam int unsigned Stages = 12;
+  localparam int unsigned Stages = 11;
 
   // ---- Control: bit k of each vector belongs to the item that enters stage k + 1 ----
   // test: any test. live: one that can be accepted. sphere, neg, cull: of a live one.
   logic [Stages-1:0] test;
-  logic [7:0]        live, sphere, neg, cull;
+  logic [6:0]        live, sphere, neg, cull;
   logic [Stages-1:1] test_q;
-  logic [7:1]        live_q, sphere_q, neg_q, cull_q;
+  logic [6:1]        live_q, sphere_q, neg_q, cull_q;
   coord_t            radius;
   logic              is_sphere;
 
@@ -55,17 +54,16 @@ module ray_prim
       live_q <= '0;
     end else begin
       test_q <= test[Stages-2:0];
-      live_q <= live[6:0];
+      live_q <= live[5:0];
     end
-    sphere_q <= sphere[6:0];
-    neg_q    <= neg[6:0];
-    cull_q   <= cull[6:0];
+    sphere_q <= sphere[5:0];
+    neg_q    <= neg[5:0];
+    cull_q   <= cull[5:0];
   end
 
-  // ---- s1 to s4: sheared corners ----
+  // ---- s1 to s3: sheared corners ----
   delta_t             ax, ay, az, bx, by, bz, cx, cy, cz;
   sheared_t           sheared_ax, sheared_ay, sheared_bx, sheared_by, sheared_cx, sheared_cy;
-  logic signed [53:0] p_reach, unused_pa, unused_pc;
   shear_t             sx, sy;
   assign sx = in_ray_i.sx;
   assign sy = in_ray_i.sy;
@@ -77,14 +75,19 @@ module ray_prim
   corner_delta u_delta_c (.point_i(in_prim_i.c), .org_i(in_ray_i.org), .axis_i(in_ray_i.axis),
                           .x_o(cx), .y_o(cy), .z_o(cz));
 
-  shear u_shear_a (.clk_i, .en_i(live[3:0]), .x_i(ax), .y_i(ay), .z_i(az), .sx_i(sx), .sy_i(sy),
-                   .x_o(sheared_ax), .y_o(sheared_ay), .px_o(unused_pa));
-  shear u_shear_b (.clk_i, .en_i(live[3:0]), .x_i(bx), .y_i(by),
-                   .z_i(is_sphere ? delta_t'({1'b0, radius}) : bz),
-                   .sx_i(is_sphere ? shear_t'({1'b0, in_ray_i.norm2}) : sx), .sy_i(sy),
-                   .x_o(sheared_bx), .y_o(sheared_by), .px_o(p_reach));
-  shear u_shear_c (.clk_i, .en_i(live[3:0]), .x_i(cx), .y_i(cy), .z_i(cz), .sx_i(sx), .sy_i(sy),
-                   .x_o(sheared_cx), .y_o(sheared_cy), .px_o(unused_pc));
+  // A sphere's N = |S|^2 R, in units of two steps, is what B's shear makes of x = 2 R, z = -R and
+  // sx = |S|^2 - 2, which lies in [-1, 1): norm2 without its top bit, the next one then its sign.
+  delta_t radius_delta;
+  assign radius_delta = delta_t'({1'b0, radius});
+
+  shear u_shear_a (.clk_i, .en_i(live[2:0]), .x_i(ax), .y_i(ay), .z_i(az), .sx_i(sx), .sy_i(sy),
+                   .x_o(sheared_ax), .y_o(sheared_ay));
+  shear u_shear_b (.clk_i, .en_i(live[2:0]), .x_i(is_sphere ? radius_delta <<< 1 : bx), .y_i(by),
+                   .z_i(is_sphere ? -radius_delta : bz),
+                   .sx_i(is_sphere ? {in_ray_i.norm2[NormFrac:0], 2'b00} : sx), .sy_i(sy),
+                   .x_o(sheared_bx), .y_o(sheared_by));
+  shear u_shear_c (.clk_i, .en_i(live[2:0]), .x_i(cx), .y_i(cy), .z_i(cz), .sx_i(sx), .sy_i(sy),
+                   .x_o(sheared_cx), .y_o(sheared_cy));
 
   // ---- What is needed again: written as a test enters, at the place of that cycle ----
   localparam int unsigned PlaceW = $clog2(Stages);
@@ -121,101 +124,100 @@ module ray_prim
   end
 
   // A sphere's operands of s4.
-  shear_t      sx4_q, sy4_q;
-  delta_t      radius4_q, reach4_q;
+  shear_t      sx3_q, sy3_q;
+  delta_t      radius3_q;
   kept_shear_t kept_shear;
-  assign kept_shear = kept_shear_q[place_q - place_t'(3)];
+  assign kept_shear = kept_shear_q[place_q - place_t'(2)];
   always_ff @(posedge clk_i) begin
-    if (live[3] && sphere[3]) begin
-      sx4_q     <= kept_shear.sx;
-      sy4_q     <= kept_shear.sy;
-      radius4_q <= delta_t'({1'b0, kept_radius_q[place_q - place_t'(3)]});
-      reach4_q  <= delta_t'((p_reach + (54'sd1 <<< NormFrac)) >>> (NormFrac + 1));
+    if (live[2] && sphere[2]) begin
+      sx3_q     <= kept_shear.sx;
+      sy3_q     <= kept_shear.sy;
+      radius3_q <= delta_t'({1'b0, kept_radius_q[place_q - place_t'(2)]});
     end
   end
 
-  // ---- s5 to s8: edge functions ----
+  // ---- s4 to s7: edge functions ----
   logic signed [53:0] p0, p1, p2, p3, p4, p5;
-  logic signed [54:0] u8, v8, w8;
-  logic               u_neg8, v_neg8, w_neg8, point8;
-  logic               triangle8_q, neg8_q, cull8_q;
+  logic signed [54:0] u7, v7, w7;
+  logic               u_neg7, v_neg7, w_neg7, point7;
+  logic               triangle7_q, neg7_q, cull7_q;
 
   edge_fns u_edge_fns (
-    .clk_i, .en_i(live[6:4]), .fns_en_i(live[7] && !sphere[7]),
+    .clk_i, .en_i(live[5:3]), .fns_en_i(live[6] && !sphere[6]),
     .ax_i(sheared_ax), .ay_i(sheared_ay), .bx_i(sheared_bx), .by_i(sheared_by),
     .cx_i(sheared_cx), .cy_i(sheared_cy),
-    .sphere_i(sphere[4]), .sx_i(sx4_q), .sy_i(sy4_q), .reach_i(reach4_q), .radius_i(radius4_q),
+    .sphere_i(sphere[3]), .sx_i(sx3_q), .sy_i(sy3_q), .reach_i(sheared_bx), .radius_i(radius3_q),
     .p0_o(p0), .p1_o(p1), .p2_o(p2), .p3_o(p3), .p4_o(p4), .p5_o(p5),
-    .u_o(u8), .v_o(v8), .w_o(w8),
-    .u_neg_o(u_neg8), .v_neg_o(v_neg8), .w_neg_o(w_neg8), .point_o(point8)
+    .u_o(u7), .v_o(v7), .w_o(w7),
+    .u_neg_o(u_neg7), .v_neg_o(v_neg7), .w_neg_o(w_neg7), .point_o(point7)
   );
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) triangle8_q <= 1'b0;
-    else triangle8_q <= live[7] && !sphere[7];
-    neg8_q  <= neg[7];
-    cull8_q <= cull[7];
+    if (!rst_ni) triangle7_q <= 1'b0;
+    else triangle7_q <= live[6] && !sphere[6];
+    neg7_q  <= neg[6];
+    cull7_q <= cull[6];
   end
 
-  // ---- s9 to s11 ----
-  logic               triangle10, triangle11_q, sphere11;
-  logic        [54:0] u10, v10, u11_q, v11_q;
-  logic        [55:0] det10, det11_q, disc11;
-  logic signed [31:0] towards11;
+  // ---- s8 to s10 ----
+  logic               triangle9, triangle10_q, sphere10;
+  logic        [54:0] u9, v9, u10_q, v10_q;
+  logic        [55:0] det9, det10_q, disc10;
+  logic signed [31:0] towards10;
 
   accept u_accept (
-    .clk_i, .rst_ni, .valid_i(triangle8_q), .neg_i(neg8_q), .cull_i(cull8_q),
-    .u_i(u8), .v_i(v8), .w_i(w8),
-    .u_neg_i(u_neg8), .v_neg_i(v_neg8), .w_neg_i(w_neg8), .point_i(point8),
-    .valid_o(triangle10), .u_o(u10), .v_o(v10), .det_o(det10)
+    .clk_i, .rst_ni, .valid_i(triangle7_q), .neg_i(neg7_q), .cull_i(cull7_q),
+    .u_i(u7), .v_i(v7), .w_i(w7),
+    .u_neg_i(u_neg7), .v_neg_i(v_neg7), .w_neg_i(w_neg7), .point_i(point7),
+    .valid_o(triangle9), .u_o(u9), .v_o(v9), .det_o(det9)
   );
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) triangle11_q <= 1'b0;
-    else triangle11_q <= triangle10;
+    if (!rst_ni) triangle10_q <= 1'b0;
+    else triangle10_q <= triangle9;
   end
   always_ff @(posedge clk_i) begin
-    if (triangle10) begin
-      u11_q   <= u10;
-      v11_q   <= v10;
-      det11_q <= det10;
+    if (triangle9) begin
+      u10_q   <= u9;
+      v10_q   <= v9;
+      det10_q <= det9;
     end
   end
 
   sphere_disc u_sphere_disc (
-    .clk_i, .rst_ni, .en_i(live[7:4] & sphere[7:4]), .y_i(sheared_ay), .sy_i(sy4_q),
+    .clk_i, .rst_ni, .en_i(live[6:3] & sphere[6:3]), .y_i(sheared_ay), .sy_i(sy3_q),
     .p_xx_i(p0), .p_yy_i(p4), .p_xsx_i(p2), .p_ysx_i(p3), .p_xsy_i(p5), .p_nr_i(p1),
-    .valid_o(sphere11), .disc_o(disc11), .towards_o(towards11)
+    .valid_o(sphere10), .disc_o(disc10), .towards_o(towards10)
   );
 
-  // ---- s12 ----
-  logic        accepted11;
-  kept_t       kept11;
-  logic [53:0] kept_z11;
-  assign accepted11 = triangle11_q || sphere11;
-  assign kept11     = kept_q[place_q - place_t'(Stages - 1)];
-  assign kept_z11   = kept_z_q[place_q - place_t'(Stages - 1)];
+  // ---- s11 ----
+  logic        accepted10;
+  kept_t       kept10;
+  logic [53:0] kept_z10;
+  assign accepted10 = triangle10_q || sphere10;
+  assign kept10     = kept_q[place_q - place_t'(Stages - 1)];
+  assign kept_z10   = kept_z_q[place_q - place_t'(Stages - 1)];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       out_valid_o <= 1'b0;
       retire_o    <= 1'b0;
     end else begin
-      out_valid_o <= accepted11;
-      retire_o    <= test[Stages-1] && !accepted11;
+      out_valid_o <= accepted10;
+      retire_o    <= test[Stages-1] && !accepted10;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (accepted11) begin
-      out_o.ctx    <= kept11.ctx;
-      out_o.number <= kept11.number;
-      out_o.kind   <= sphere11 ? KindSphere : KindTriangle;
-      out_o.u      <= sphere11 ? '0 : u11_q;
-      out_o.v      <= sphere11 ? '0 : v11_q;
-      out_o.det    <= sphere11 ? disc11 : det11_q;
-      out_o.az     <= sphere11 ? towards11 : 32'($signed(kept_z11[53:27]));
-      out_o.bz     <= sphere11 ? '0 : $signed(kept_z11[26:0]);
-      out_o.cz     <= kept11.cz;
+    if (accepted10) begin
+      out_o.ctx    <= kept10.ctx;
+      out_o.number <= kept10.number;
+      out_o.kind   <= sphere10 ? KindSphere : KindTriangle;
+      out_o.u      <= sphere10 ? '0 : u10_q;
+      out_o.v      <= sphere10 ? '0 : v10_q;
+      out_o.det    <= sphere10 ? disc10 : det10_q;
+      out_o.az     <= sphere10 ? towards10 : 32'($signed(kept_z10[53:27]));
+      out_o.bz     <= sphere10 ? '0 : $signed(kept_z10[26:0]);
+      out_o.cz     <= kept10.cz;
     end
   end
 endmodule

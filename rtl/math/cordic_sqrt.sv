@@ -69,8 +69,6 @@ module cordic_sqrt
   endfunction
 
   logic [Steps+1:0] valid_q;
-  turn_t            turn_q [Steps+1];
-  tag_t             tag_q [Steps+1];
   logic             move;
 
   assign move       = !valid_q[Steps+1] || out_ready_i;
@@ -81,24 +79,30 @@ module cordic_sqrt
     else if (move) valid_q <= {valid_q[Steps:0], in_valid_i};
   end
 
-  always_ff @(posedge clk_i) begin
-    if (move && in_valid_i) begin
-      turn_q[0] <= first(in_rad_i);
-      tag_q[0]  <= in_tag_i;
-    end
-  end
-  for (genvar k = 0; k < Steps; k++) begin : g_step
-    always_ff @(posedge clk_i) begin
-      if (move && valid_q[k]) begin
-        turn_q[k+1] <= step(turn_q[k], (k < 4) ? k + 1 : k);
-        tag_q[k+1]  <= tag_q[k];
+  for (genvar k = 0; k <= Steps; k++) begin : g_turn
+    turn_t turn_q;
+    tag_t  tag_q;
+    if (k == 0) begin : g_first
+      always_ff @(posedge clk_i) begin
+        if (move && in_valid_i) begin
+          turn_q <= first(in_rad_i);
+          tag_q  <= in_tag_i;
+        end
+      end
+    end else begin : g_step
+      always_ff @(posedge clk_i) begin
+        if (move && valid_q[k-1]) begin
+          turn_q <= step(g_turn[k-1].turn_q, (k < 5) ? k : k - 1);
+          tag_q  <= g_turn[k-1].tag_q;
+        end
       end
     end
   end
+
   always_ff @(posedge clk_i) begin
     if (move && valid_q[Steps]) begin
-      out_root_o <= rounded(turn_q[Steps].x);
-      out_tag_o  <= tag_q[Steps];
+      out_root_o <= rounded(g_turn[Steps].turn_q.x);
+      out_tag_o  <= g_turn[Steps].tag_q;
     end
   end
 

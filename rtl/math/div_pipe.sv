@@ -45,22 +45,24 @@ module div_pipe #(
 
   // Quotient bits first..first+BitsPerStage-1. The integer bit compares the remainder as it is,
   // each later one its double.
-  function automatic step_t divide(op_t rem, quo_t quo, op_t den, int unsigned first);
-    logic [NumW:0] r;
-    r = {1'b0, rem};
-    divide.quo = quo;
-    for (int unsigned i = first; i < first + BitsPerStage && i < Bits; i++) begin
-      if (i > 0) r = {r[NumW-1:0], 1'b0};
-      divide.quo = {divide.quo[Bits-2:0], r >= {1'b0, den}};
-      if (r >= {1'b0, den}) r = r - {1'b0, den};
+  function automatic step_t divide(step_t from, op_t den, int unsigned first);
+    logic [NumW:0] rem;
+    logic          digit;
+    quo_t          quo;
+    rem = {1'b0, from.rem};
+    quo = from.quo;
+    for (int unsigned i = 0; i < BitsPerStage; i++) begin
+      if (first + i < Bits) begin
+        if (first + i > 0) rem = {rem[NumW-1:0], 1'b0};
+        digit = rem >= {1'b0, den};
+        quo   = {quo[Bits-2:0], digit};
+        if (digit) rem = rem - {1'b0, den};
+      end
     end
-    divide.rem = r[NumW-1:0];
+    return '{rem: rem[NumW-1:0], quo: quo};
   endfunction
 
   logic [Stages:0] valid_q;
-  op_t             den_q [Stages];
-  step_t           step_q [Stages];
-  tag_t            tag_q [Stages];
   logic            move;
 
   assign move       = !valid_q[Stages] || out_ready_i;
@@ -76,19 +78,32 @@ module div_pipe #(
   assign den = (in_den_i == '0 || in_num_i > in_den_i) ? op_t'(1) : in_den_i;
   assign num = (in_den_i == '0) ? '0 : (in_num_i > in_den_i) ? op_t'(1) : in_num_i;
 
-  always_ff @(posedge clk_i) begin
-    if (move && in_valid_i) begin
-      step_q[0] <= divide(num, '0, den, 0);
-      den_q[0]  <= den;
-      tag_q[0]  <= in_tag_i;
+  for (genvar i = 0; i < Stages; i++) begin : g_stage
+    logic  load;                // this stage takes an item: from, the divisor and the tag before it
+    step_t from, step_q;
+    op_t   den_in;
+    tag_t  tag_in, tag_q;
+    if (i == 0) begin : g_first
+      assign load   = move && in_valid_i;
+      assign from   = '{rem: num, quo: '0};
+      assign den_in = den;
+      assign tag_in = in_tag_i;
+    end else begin : g_next
+      assign load   = move && valid_q[i-1];
+      assign from   = g_stage[i-1].step_q;
+      assign den_in = g_stage[i-1].g_den.den_q;
+      assign tag_in = g_stage[i-1].tag_q;
     end
-  end
-  for (genvar i = 1; i < Stages; i++) begin : g_stage
     always_ff @(posedge clk_i) begin
-      if (move && valid_q[i-1]) begin
-        step_q[i] <= divide(step_q[i-1].rem, step_q[i-1].quo, den_q[i-1], i * BitsPerStage);
-        den_q[i]  <= den_q[i-1];
-        tag_q[i]  <= tag_q[i-1];
+      if (load) begin
+        step_q <= divide(from, den_in, i * BitsPerStage);
+        tag_q  <= tag_in;
+      end
+    end
+    if (i < Stages - 1) begin : g_den
+      op_t den_q;
+      always_ff @(posedge clk_i) begin
+        if (load) den_q <= den_in;
       end
     end
   end
@@ -97,8 +112,8 @@ module div_pipe #(
   tag_t           q_tag_q;
   always_ff @(posedge clk_i) begin
     if (move && valid_q[Stages-1]) begin
-      q_q     <= (QFrac+1)'((step_q[Stages-1].quo + 1'b1) >> 1);
-      q_tag_q <= tag_q[Stages-1];
+      q_q     <= (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1);
+      q_tag_q <= g_stage[Stages-1].tag_q;
     end
   end
 

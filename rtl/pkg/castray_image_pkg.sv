@@ -28,10 +28,11 @@ package castray_image_pkg;
   } section_t;
 
   typedef struct packed {
-    logic [415:0]       reserved;
+    logic [383:0]       reserved;
     logic signed [63:0] corner_z;     // the scene's corner, grid steps from the world's origin
     logic signed [63:0] corner_y;
     logic signed [63:0] corner_x;
+    logic [31:0]        unused;
     logic [31:0]        root;         // reference of the hierarchy's root
     section_t           nodes;        // 64-byte nodes of the hierarchy
     section_t           attributes;   // attr_t, one for each primitive, by number
@@ -48,9 +49,9 @@ package castray_image_pkg;
 
   // The frame record: the camera and the paint of one picture.
   typedef struct packed {
-    logic [303:0] reserved;
+    logic [287:0] reserved;
     logic [31:0]  stride;         // bytes from one row of the frame buffer to the next
-    logic [7:0]   unused;
+    logic [23:0]  unused;
     logic [7:0]   pixel_format;   // 0 RGBA8, 1 BGRA8
     logic [15:0]  height;
     logic [15:0]  width;

@@ -8,7 +8,7 @@
 namespace castray::tb {
 namespace {
 
-constexpr int kLatency = 12;
+constexpr int kLatency = 11;
 
 // Sends the cases with the source's stalls and compares each result with the model.
 struct Sent {

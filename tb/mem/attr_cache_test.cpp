@@ -168,6 +168,17 @@ TEST_F(AttrCacheUnit, ReplacesTheWayUsedLongerAgo) {
   EXPECT_EQ(compare({a, b}).misses, 0u);
 }
 
+TEST_F(AttrCacheUnit, ComparesEveryBitOfATag) {
+  const prim_t a = 3, b = 3 + (static_cast<prim_t>(NoPrim) & 0x155540);
+  for (int bit = 6; bit < PrimW; ++bit)
+    for (const bool first : {true, false}) {
+      dut_.reset(1);
+      cache_ = AttrCache();
+      const prim_t other = b ^ (prim_t{1} << bit);
+      EXPECT_EQ(compare(first ? std::vector<prim_t>{b, a, other, b} : std::vector<prim_t>{a, b, other, b}).misses, first ? 4u : 3u) << bit;
+    }
+}
+
 TEST_F(AttrCacheUnit, HoldsEntriesLinesAtOnce) {
   std::vector<prim_t> numbers;
   for (int round = 0; round < 3; ++round)

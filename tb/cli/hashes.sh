@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The picture and the raw hits of every scene at 80x60, by the model, have the SHA-256 that stands
+# in scenes/frames.sha256; with --write they are written anew. Whole-frame tests tie the RTL to the
+# model; here the small scenes are rendered by the RTL as well.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+render() { # engine, scene
+  build/castray render "$2" --engine "$1" --size 80x60 --frame "$work/$(basename "$2" .json).pixels" \
+    --hits "$work/$(basename "$2" .json).hits" -o "$work/picture.png" > "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+}
+
+for scene in scenes/*.json; do render model "$scene"; done
+if [[ ${1:-} == --write ]]; then
+  (cd "$work" && sha256sum -- *.pixels *.hits) > scenes/frames.sha256
+  exit 0
+fi
+(cd "$work" && sha256sum --quiet -c) < scenes/frames.sha256
+[[ $(wc -l < scenes/frames.sha256) -eq $(($(ls scenes/*.json | wc -l) * 2)) ]]
+for scene in cube spheres; do render rtl "scenes/$scene.json"; done
+(cd "$work" && sha256sum --quiet -c) < scenes/frames.sha256
+echo "every frame is what it was"
