@@ -67,7 +67,8 @@ $(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
 	@$(CXX) $(CXXFLAGS) -Itb/common -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
-$(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(filter tb/frame/%,$(SIM_TESTS))): | $(call cores_files,$(CORES_TEST))
+# A test that runs the core says on which variants: "// Cores: l1c32t3 l3c32t3".
+$(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(shell sed -n 's,^// Cores: ,,p' $(t)))))
 
 .PHONY: cores
 cores: $(call cores_files,$(CORES_TEST)) ## build the Verilated cores that the tests use

@@ -39,6 +39,13 @@ programs: $(BUILD)/castray $(BUILD)/make_teapot $(call cores_files,$(CORES_RENDE
 
 tests: $(ALL_TESTS)
 
+bench: ## full frames, ladder, sweeps, timings: build/bench.json and docs/bench.md (some 20 minutes)
+	@tools/setup.sh
+	@$(MAKE) --no-print-directory bench-run
+
+bench-run: $(BUILD)/bench $(call cores_files,$(CORES_BENCH))
+	@$(BUILD)/bench --json $(BUILD)/bench.json --page docs/bench.md $(BENCH_FLAGS)
+
 faults: ## plant each fault of tb/faults; its unit's test must catch it (UNITS=isect/ray_prim: some)
 	@python3 tools/plant_faults.py -j $(JOBS) $(UNITS)
 

@@ -62,15 +62,16 @@ module div_pipe #(
     return '{rem: rem[NumW-1:0], quo: quo};
   endfunction
 
-  logic [Stages:0] valid_q;
+  logic [Stages:0] valid_q, offered;  // what a stage holds, and is offered
   logic            move;
 
+  assign offered    = {valid_q[Stages-1:0], in_valid_i};
   assign move       = !valid_q[Stages] || out_ready_i;
   assign in_ready_o = move;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else if (move) valid_q <= {valid_q[Stages-1:0], in_valid_i};
+    else if (move) valid_q <= offered;
   end
 
   // The guard: a zero divisor divides 0 by 1, a numerator that is too large divides 1 by 1.
@@ -79,45 +80,43 @@ module div_pipe #(
   assign num = (in_den_i == '0) ? '0 : (in_num_i > in_den_i) ? op_t'(1) : in_num_i;
 
   for (genvar i = 0; i < Stages; i++) begin : g_stage
-    logic  load;                // this stage takes an item: from, the divisor and the tag before it
     step_t from, step_q;
     op_t   den_in;
     tag_t  tag_in, tag_q;
     if (i == 0) begin : g_first
-      assign load   = move && in_valid_i;
       assign from   = '{rem: num, quo: '0};
       assign den_in = den;
       assign tag_in = in_tag_i;
     end else begin : g_next
-      assign load   = move && valid_q[i-1];
       assign from   = g_stage[i-1].step_q;
       assign den_in = g_stage[i-1].g_den.den_q;
       assign tag_in = g_stage[i-1].tag_q;
     end
-    always_ff @(posedge clk_i) begin
-      if (load) begin
-        step_q <= divide(from, den_in, i * BitsPerStage);
-        tag_q  <= tag_in;
-      end
-    end
     if (i < Stages - 1) begin : g_den
       op_t den_q;
       always_ff @(posedge clk_i) begin
-        if (load) den_q <= den_in;
+        if (move && offered[i]) begin
+          step_q <= divide(from, den_in, i * BitsPerStage);
+          tag_q  <= tag_in;
+          den_q  <= den_in;
+        end
+      end
+    end else begin : g_last
+      always_ff @(posedge clk_i) begin
+        if (move && offered[i]) begin
+          step_q <= divide(from, den_in, i * BitsPerStage);
+          tag_q  <= tag_in;
+        end
       end
     end
   end
 
-  logic [QFrac:0] q_q;
-  tag_t           q_tag_q;
   always_ff @(posedge clk_i) begin
-    if (move && valid_q[Stages-1]) begin
-      q_q     <= (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1);
-      q_tag_q <= g_stage[Stages-1].tag_q;
+    if (move && offered[Stages]) begin
+      out_q_o   <= (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1);
+      out_tag_o <= g_stage[Stages-1].tag_q;
     end
   end
 
   assign out_valid_o = valid_q[Stages];
-  assign out_q_o     = q_q;
-  assign out_tag_o   = q_tag_q;
 endmodule

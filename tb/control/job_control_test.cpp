@@ -77,6 +77,10 @@ class JobControl : public testing::Test {
     EXPECT_TRUE(dut_->running_o);
     EXPECT_EQ(dut_->error_o, ErrNone) << "an old error is shown for a job that runs";
   }
+  template <class F> void until(F&& reached) {
+    for (int i = 0; i < 400 && !reached(); ++i) tick();
+    ASSERT_TRUE(reached());
+  }
   // Until done; the error, or -1.
   int finish() {
     for (int i = 0; i < 400 && done_at_ < 0; ++i) tick();
@@ -134,7 +138,7 @@ TEST_F(JobControl, HoldsTheDatapathInResetBetweenJobs) {
   reset_cycles_ = 1;  // that of done
   start(TestImage().job);
   EXPECT_FALSE(dut_->datapath_rst_no);
-  while (load_ < 0) tick();
+  until([&] { return load_ >= 0; });
   EXPECT_EQ(reset_cycles_, 4);
   EXPECT_EQ(finish(), ErrNone);
 }
@@ -233,7 +237,7 @@ TEST_F(JobControl, RanksErrorsOfOneCycle) {
   for (unsigned set = 1; set < 16; ++set) {
     around_.load_error = set & 4 ? ErrSection : ErrNone;
     start(TestImage().job);
-    while (load_ < 0 || now_ < load_ + around_.load) tick();
+    until([&] { return load_ >= 0 && now_ >= load_ + around_.load; });
     dut_->read_error_i = set & 1;
     dut_->write_error_i = set >> 1 & 1;
     dut_->fault_i = set & 8 ? ErrPrimitive : ErrNone;
@@ -247,7 +251,7 @@ TEST_F(JobControl, RanksErrorsOfOneCycle) {
 
 TEST_F(JobControl, KeepsTheFirstError) {
   start(TestImage().job);
-  while (walk_ < 0) tick();
+  until([&] { return walk_ >= 0; });
   tick();
   dut_->write_error_i = 1;
   tick();
@@ -275,7 +279,7 @@ TEST_F(JobControl, AbortsUntilTheBusIsIdle) {
   for (const int idle : {0, 1, 2, 5, 30, 100}) {
     around_.idle = idle;
     start(TestImage().job);
-    while (walk_ < 0) tick();
+    until([&] { return walk_ >= 0; });
     for (int i = 0; i < 10; ++i) tick();
     dut_->read_error_i = 1;
     tick();

@@ -111,7 +111,7 @@ TEST_P(JobSystem, RunsJobAfterJob) {
 
 TEST_P(JobSystem, EndsOnEveryReadErrorAndGoesOn) {
   make(GetParam());
-  for (unsigned beat = 0; beat < 16 * 24; beat += 13) {
+  for (unsigned beat = 0; beat < 16 * 24; beat += 29) {
     reads_->config().error_from = image_.job.image + 16 * beat;
     reads_->config().error_to = reads_->config().error_from + 16;
     start();
@@ -136,7 +136,7 @@ TEST_P(JobSystem, EndsOnEveryWriteErrorAndGoesOn) {
 TEST_P(JobSystem, WorksAfterAResetAtAnyMoment) {
   make(GetParam());
   std::mt19937 rng(5);
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 60; ++round) {
     start();
     const int cut = static_cast<int>(rng() % (round % 2 ? 80 : 900));
     for (int i = 0; i < cut; ++i) tick();

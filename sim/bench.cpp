@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// `make bench`: full frames, the ladder, sweeps and timings; prints docs/bench.md and writes
+// build/bench.json. Exits with 1 if a bar does not hold.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "bench_tables.hpp"
+#include "scene/files.hpp"
+
+namespace {
+
+using namespace castray::bench;
+
+struct Run {
+  std::string part;
+  std::string name;
+  std::function<Json()> measure;
+};
+
+const std::vector<std::pair<const char*, const char*>> kViews = {
+    {"teapot", "base"}, {"teapot_tight", "tight"}, {"teapot_fit", "fit"}, {"teapot_interior", "interior"}};
+const std::vector<std::pair<const char*, const char*>> kMoved = {
+    {"teapot_rotated", "rotated"}, {"teapot_flipped", "flipped"}, {"teapot_zoomed", "zoomed"}};
+
+// What is timed runs alone, one after the other; it comes first.
+std::vector<Run> timed_runs() {
+  return {
+      {"speed", "simulated speed", [] { return rtl_run({"teapot"}, {}); }},
+      {"host", "C++ at 320x240", [] { return host_run({"teapot", "teapot", "base", 320, 240}, 0); }},
+      {"host", "C++ at 128x96", [] { return host_run({"teapot", "teapot", "base", 128, 96}, 90); }},
+  };
+}
+
+std::vector<Run> counted_runs() {
+  std::vector<Run> runs;
+  const auto add = [&](const char* part, std::string name, std::function<Json()> measure) {
+    runs.push_back({part, std::move(name), std::move(measure)});
+  };
+  for (int i = 0; i < 2; ++i) {
+    const Frame frame{kViews[i].first, "teapot", kViews[i].second, 320, 240};
+    add("frames", "teapot " + frame.view + " 320x240", [=] { return rtl_run(frame, {}); });
+  }
+  for (const Core& rung : {Core{1, 1}, Core{1}, Core{2}, Core{3}, Core{4}, Core{8}})
+    add("ladder", "ladder " + std::to_string(rung.lanes) + " x " + std::to_string(rung.contexts), [=] { return rtl_run({"teapot"}, rung); });
+  for (const int log2 : {2, 3, 4})
+    for (const bool z : {false, true})
+      add("tiles", "tiles " + std::to_string(1 << log2) + (z ? " z" : " rows"), [=] { return rtl_run({"teapot"}, {3, 32, log2, z}); });
+  add("transforms", "base", [] { return rtl_run({"teapot"}, {}); });
+  for (const auto& moved : kMoved) add("transforms", moved.second, [=] { return rtl_run({moved.first, "teapot", moved.second}, {}); });
+  for (int i = 0; i < 2; ++i)
+    for (const char* pattern : {"uniform", "bursty", "turn"}) {
+      const Frame frame{kViews[i].first, "teapot", kViews[i].second};
+      add("stalls", std::string("stalls ") + frame.view + " " + pattern, [=] { return rtl_run(frame, {3, 32, 3, false, true, pattern}); });
+    }
+  const auto against = [&](const Frame& frame) {
+    add("reference", frame.scene + " " + frame.view + " " + std::to_string(frame.width), [=] { return reference_run(frame); });
+  };
+  for (const auto& views : {kViews, kMoved})
+    for (const auto& [file, view] : views) against({file, "teapot", view, 320, 240});
+  against({"spheres", "spheres", "base", 320, 240});
+  against({"cube", "cube", "base", 320, 240});
+  against({"teapot", "teapot", "base", 640, 480});
+  against({"teapot", "teapot", "base", 1920, 1080});
+  return runs;
+}
+
+// Runs with a line for each start and end; `workers` at a time, results in the order of `runs`.
+std::vector<Json> run_all(const std::vector<Run>& runs, unsigned workers) {
+  std::vector<Json> records(runs.size());
+  std::mutex mutex;
+  std::size_t next = 0, done = 0;
+  const auto work = [&] {
+    for (;;) {
+      std::unique_lock lock(mutex);
+      if (next == runs.size()) return;
+      const std::size_t i = next++;
+      lock.unlock();
+      Json record = {{"part", runs[i].part}};
+      record.update(runs[i].measure());
+      lock.lock();
+      records[i] = std::move(record);
+      std::fprintf(stderr, "  %2zu of %zu  %s\n", ++done, runs.size(), runs[i].name.c_str());
+    }
+  };
+  std::vector<std::jthread> pool;
+  for (unsigned i = 1; i < workers; ++i) pool.emplace_back(work);
+  work();
+  pool.clear();
+  return records;
+}
+
+std::vector<Run> only(std::vector<Run> runs, const std::vector<std::string>& parts) {
+  if (!parts.empty()) std::erase_if(runs, [&](const Run& run) { return std::ranges::find(parts, run.part) == parts.end(); });
+  return runs;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Measure castray: full frames, the ladder, sweeps and timings."};
+  std::string json = "build/bench.json", page;
+  std::vector<std::string> parts;
+  unsigned workers = std::max(1u, std::thread::hardware_concurrency());
+  app.add_option("--json", json, "the records, a list of objects")->capture_default_str();
+  app.add_option("--page", page, "the tables as Markdown; printed in any case");
+  app.add_option("--only", parts, "these parts: speed host frames ladder tiles transforms stalls reference");
+  app.add_option("-j", workers, "runs at a time; what is timed runs alone")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    std::vector<Json> records = run_all(only(timed_runs(), parts), 1);
+    for (Json& record : run_all(only(counted_runs(), parts), workers)) records.push_back(std::move(record));
+    castray::write_file(json, Json(records).dump(1) + "\n");
+    const std::string text = page_of(records);
+    if (!page.empty()) castray::write_file(page, text);
+    std::fputs(text.c_str(), stdout);
+    const std::vector<std::string> broken = broken_bars(records);
+    for (const std::string& bar : broken) std::printf("NOT HELD: %s\n", bar.c_str());
+    return broken.empty() ? 0 : 1;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "bench: %s\n", e.what());
+    return 2;
+  }
+}

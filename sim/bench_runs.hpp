@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `make bench` measures: each run gives one record, an object with the fields that
+// docs/bench.md names.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace castray::bench {
+
+using Json = nlohmann::ordered_json;
+
+struct Frame {
+  std::string file;            // scenes/<file>.json
+  std::string scene = "teapot";
+  std::string view = "base";
+  int width = 80;
+  int height = 60;
+};
+
+struct Core {
+  int lanes = 3;
+  int contexts = 32;
+  int tile_log2 = 3;
+  bool z_order = false;
+  bool hits = true;            // the hit buffer is written
+  std::string stalls = "none";
+};
+
+// A frame on the Verilated core, compared with the model in every pixel and every hit record.
+Json rtl_run(const Frame& frame, const Core& core);
+// A frame of the model against the float64 reference.
+Json reference_run(const Frame& frame);
+// Times of the float64, the float32 and the fixed-point tracer, one after the other; field_of_view 0
+// keeps the scene's own.
+Json host_run(const Frame& frame, double field_of_view);
+
+}  // namespace castray::bench
