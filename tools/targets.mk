@@ -53,6 +53,11 @@ faults: ## plant each fault of tb/faults; its unit's test must catch it (UNITS=i
 unit/%: $(BUILD)/unit/%_test
 	$<
 
+GALLERY := teapot teapot_tight teapot_fit teapot_interior teapot_rotated teapot_flipped teapot_zoomed cube spheres
+gallery: programs ## render the pictures of docs/gallery.md anew, with the model
+	@mkdir -p docs/pictures
+	@for scene in $(GALLERY); do $(BUILD)/castray render scenes/$$scene.json --engine model --size 320x240 -o docs/pictures/$$scene.png; done
+
 hashes: programs ## write the SHA-256 of each scene's small frame anew: scenes/frames.sha256
 	@tb/cli/hashes.sh --write
 

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole small frames, RTL against model: every pixel, every raw hit record, the work counters, on 1
+// to 4 lanes, under every pattern of stalls and both memories.
+// Cores: l1c32t3 l2c32t3 l3c32t3 l4c32t3
+#include "frame/frame.hpp"
+
+namespace castray::tb {
+namespace {
+
+Scene scene_of(const std::string& name) { return load_scene("scenes/" + name + ".json"); }
+
+class Lanes : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Cores, Lanes, testing::Values(1, 2, 3, 4));
+
+TEST_P(Lanes, TriangleAndSphereScenesMatchTheModel) {
+  for (const std::string stalls : {"none", "uniform", "bursty", "turn"}) {
+    Core core(core_of(GetParam(), stalls, 3));
+    for (const std::string name : {"spheres", "cube"}) {
+      SCOPED_TRACE(name + ", stalls " + stalls);
+      const Scene scene = scene_of(name);
+      expect_frame(core, compile(scene, 40, 30));
+    }
+  }
+}
+
+class Patterns : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Stalls, Patterns, testing::ValuesIn(sim::Stalls::names()), [](const auto& info) { return info.param; });
+
+TEST_P(Patterns, TeapotMatchesTheModelAndChannelsAreBlocked) {
+  static const SceneImage image = compile(scene_of("teapot"), 16, 12);
+  Core core(core_of(3, GetParam(), 11));
+  expect_frame(core, image);
+  const auto& stalls = core.device.memory().stalls();
+  for (unsigned i = 0; i < sim::kChannels; ++i) {
+    const auto& share = stalls.shares()[i];
+    if (stalls.uses(static_cast<sim::Channel>(i))) EXPECT_GE(share.share(), 0.25) << sim::kChannelNames[i] << " of " << share.wanted;
+  }
+}
+
+TEST(Frames, HpMemoryMatchesTheModel) {
+  Core core(core_of(3, "none", 1, "hp"));
+  expect_frame(core, compile(scene_of("spheres"), 40, 30));
+  EXPECT_LE(core.device.memory().counters().most_reads, 8u);
+  EXPECT_LE(core.device.memory().counters().most_writes, 8u);
+}
+
+TEST(Frames, ZOrderGivesTheSamePicture) {
+  Core core(core_of(3));
+  const SceneImage image = compile(scene_of("spheres"), 53, 37);
+  core.driver.load(image);
+  const sim::Rendering rows = core.driver.render({.hits = true, .z_order = false, .window = {}});
+  const sim::Rendering curve = core.driver.render({.hits = true, .z_order = true, .window = {}});
+  EXPECT_TRUE(equal(curve, rows));
+  EXPECT_TRUE(equal(rows, sim::run_model(image)));
+}
+
+// Pixels outside the window keep what was there; inside they are those of the whole frame.
+TEST(Frames, WindowsAreParts) {
+  Core core(core_of(3, "uniform"));
+  const SceneImage image = compile(scene_of("spheres"), 40, 30);
+  const sim::PixelWindow windows[] = {{0, 0, 1, 1}, {39, 29, 40, 30}, {5, 7, 6, 29}, {3, 11, 31, 12}, {8, 8, 16, 16}, {7, 5, 25, 18}};
+  for (const sim::PixelWindow& window : windows) {
+    SCOPED_TRACE(std::to_string(window.x0) + ", " + std::to_string(window.y0));
+    for (const bool hits : {true, false}) {
+      const sim::RenderOptions options{hits, false, window};
+      expect_frame(core, image, options);
+    }
+  }
+}
+
+TEST(Frames, PixelFormatAndOddSizes) {
+  Core core(core_of(2, "bursty"));
+  Scene scene = scene_of("spheres");
+  for (const PixelFormat format : {PixelFormat::Rgba8, PixelFormat::Bgra8}) {
+    scene.pixel_format = format;
+    for (const auto& [width, height] : {std::pair{1, 1}, {17, 1}, {1, 19}, {33, 9}}) expect_frame(core, compile(scene, width, height));
+  }
+}
+
+// A wide and a high frame, of which only the last pixels are rendered.
+TEST(Frames, LargestSize) {
+  Core core(core_of(3));
+  const Scene scene = scene_of("cube");
+  expect_frame(core, compile(scene, 4096, 16), {true, false, sim::PixelWindow{4080, 0, 4096, 16}});
+  expect_frame(core, compile(scene, 16, 4096), {true, false, sim::PixelWindow{0, 4080, 16, 4096}});
+}
+
+TEST(Frames, CountersAgreeWithTheBus) {
+  Core core(core_of(3));
+  core.driver.load(compile(scene_of("spheres"), 40, 30));
+  const std::uint64_t before = core.device.cycle();
+  const sim::Rendering rtl = core.driver.render();
+  EXPECT_EQ(rtl.counters[CntReadBeats], core.device.memory().counters().read_beats);
+  EXPECT_EQ(rtl.counters[CntWriteBeats], core.device.memory().counters().write_beats);
+  EXPECT_EQ(rtl.counters[CntAttrHits] + rtl.counters[CntAttrMisses], rtl.counters[CntHits]);
+  EXPECT_LT(rtl.cycles(), core.device.cycle() - before);
+  EXPECT_GT(rtl.cycles() + 2000, core.device.cycle() - before) << "the rest is register accesses";
+}
+
+// The same job takes the same cycles, whatever ran before.
+TEST(Frames, CyclesDoNotDependOnTheJobBefore) {
+  Core core(core_of(3));
+  const SceneImage spheres = compile(scene_of("spheres"), 40, 30), cube = compile(scene_of("cube"), 24, 24);
+  core.driver.load(spheres);
+  const std::uint64_t first = core.driver.render().cycles();
+  core.driver.load(cube);
+  core.driver.render();
+  core.driver.load(spheres);
+  EXPECT_EQ(core.driver.render().cycles(), first);
+}
+
+}  // namespace
+}  // namespace castray::tb
