@@ -75,6 +75,7 @@ template <class V> class CoreInstance final : public CoreModel {
   }
 
   void reset(AxiMemory& memory, unsigned cycles) override {
+    context_->assertOn(false);  // registers without reset may hold anything until its first edge
     top_->rst_ni = 0;
     lite_idle();
     for (unsigned i = 0; i < cycles; ++i) {
@@ -86,6 +87,7 @@ template <class V> class CoreInstance final : public CoreModel {
       edge<true>(memory);
     }
     top_->rst_ni = 1;
+    context_->assertOn(true);
   }
 
   void trace(const std::string& file, std::uint64_t first, std::uint64_t last) override {

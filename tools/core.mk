@@ -8,7 +8,9 @@ CORES_TEST   := l1c32t3 l2c32t3 l3c32t3 l4c32t3
 CORES_BENCH  := $(CORES_TEST) l1c1t3 l8c32t3 l3c32t2 l3c32t4
 cores_files   = $(1:%=$(BUILD)/cores/%.so)
 
-CORE_RTL := $(RTL) sim/stream_probe.sv
+CORE_RTL := $(RTL) sim/stream_probe.sv sim/stream_checks.sv
+# The variant that is built with assertions: every stream's contract is checked while it runs.
+CORES_CHECKED := l1c32t3
 # Parameters of a variant by its name: l3c32t3 -> -GLanes=3 -GContexts=32 -GTileLog2=3
 core_parameters = $(join -GLanes= -GContexts= -GTileLog2=,$(subst l,,$(subst t, ,$(subst c, ,$(1)))))
 
@@ -16,7 +18,7 @@ core_parameters = $(join -GLanes= -GContexts= -GTileLog2=,$(subst l,,$(subst t, 
 $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@mkdir -p $(@D)
 	@echo "  VERILATE castray_core $*"
-	@$(VERILATOR) --cc $(VERILATOR_FLAGS) --no-assert -Wno-fatal --trace-fst --prefix Vcastray_core --Mdir $(@D) \
+	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) -Wno-fatal --trace-fst --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
 	@cd $(@D) && for step in "$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1" "Vcastray_core__ALL.a=-O3 -march=native"; do \
 	  MAKEFLAGS= make -s -f Vcastray_core.mk -j$(JOBS) $${step%%=*} CXX=$(CXX) USER_CPPFLAGS="-fPIC -fvisibility=hidden" \
@@ -35,7 +37,7 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 	  sim/core_instance.cpp $< $(VERILATED_PIC) -lz -latomic -lpthread -o $@
 
 # ---- Programs ----
-SIM_PROGRAMS := make_teapot bench
+SIM_PROGRAMS := make_teapot
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
@@ -50,13 +52,10 @@ $(COMMIT): commit
 	@printf '#pragma once\ninline constexpr const char* kCommit = "%s";\n' \
 	  "$$(git describe --always --dirty 2> /dev/null || echo unknown)" > $@.new
 	@if cmp -s $@ $@.new; then rm $@.new; else mv $@.new $@; fi
-$(CLI_OBJECTS) $(BUILD)/obj/sim/bench.o: | $(COMMIT)
+$(CLI_OBJECTS): | $(COMMIT)
 
 $(BUILD)/castray: $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB)
 	@echo "  LINK  castray"
-	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
-$(BUILD)/bench: $(BUILD)/obj/sim/bench.o $(SIM_OBJECTS) $(LIB)
-	@echo "  LINK  bench"
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
 $(BUILD)/make_teapot: $(BUILD)/obj/sim/make_teapot.o $(LIB)
 	@echo "  LINK  make_teapot"

@@ -11,7 +11,7 @@ struct quotient_job_t {
   std::int64_t scale0 = 0, scale1 = 0;        // steps (triangle), or +-2^k quarter steps (sphere)
 };
 
-// Bits [from, from + HitDivW) with the top one of `det` at HitDivW - 1: right shifts truncate.
+// x shifted so that bit `top` comes to HitDivW - 1: exact to the left, truncated to the right.
 constexpr std::uint64_t norm_shift(std::uint64_t x, int top) {
   return top >= HitDivW - 1 ? x >> (top - (HitDivW - 1)) : x << (HitDivW - 1 - top);
 }

@@ -19,7 +19,8 @@ inline constexpr std::array<int, 11> kCordicSteps = {1, 2, 3, 4, 4, 5, 6, 7, 8, 
 // with x = r + c, y = r - c, c = 1 / (4 K^2), leaves x = sqrt(r): no product at the end.
 inline constexpr std::int64_t kCordicStart = 24461998;  // c in Q0.26
 
-// The root of rad (26 bits, at least 2^24) in Q13.5, within 1.5 ulp; 0 for a smaller rad.
+// The root of rad (26 bits, at least 2^24) in Q13.5, within 3/4 of the last place (the largest,
+// 2^18 - 1, within 1); 0 for a smaller rad.
 constexpr std::uint64_t cordic_sqrt(std::uint64_t rad) {
   if (rad >> (CordicRadW - 2) == 0) return 0;
   std::int64_t x = static_cast<std::int64_t>(rad) + kCordicStart;

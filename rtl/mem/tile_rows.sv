@@ -84,6 +84,7 @@ module tile_rows
   logic [37:0] product_q;
   addr_t       addr_q;
   logic [3:0]  row_q;
+  logic [63:0] strb_q;
   function automatic logic [37:0] mul_row(pixel_t y, logic [31:StrideLog2] stride);
     return 38'(y) * 38'(stride);
   endfunction
@@ -97,6 +98,7 @@ module tile_rows
     if (state_q == Address) begin
       addr_q <= base_i + addr_t'({product_q, {StrideLog2{1'b0}}}) +
                 addr_t'({tile_q.x[11:TileLog2], {(TileLog2 + $clog2(PixelBytes)){1'b0}}});
+      strb_q <= strobes(columns(tile_q.x, tile_q.width));
     end
     if (taken) begin
       addr_q <= addr_q + addr_t'(stride_i);
@@ -105,9 +107,13 @@ module tile_rows
     end
   end
 
-  // ---- Beats ----
-  beat_t row_beats_q [Beats];   // the lowest first; they come in through the last one
-  logic  arrives_q;
+  // ---- Beats: they come in above those that came before ----
+  localparam int unsigned RowW = Beats * DataW;
+  logic [RowW-1:0] row_pixels_q;
+  logic            arrives_q;
+  function automatic logic [RowW-1:0] above(beat_t beat, logic [RowW-1:0] row);
+    return (RowW'(beat) << (RowW - DataW)) | (row >> DataW);
+  endfunction
   assign read_o = state_q == Read;
   assign slot_o = tile_q.slot;
   assign row_o  = row_q;
@@ -115,21 +121,10 @@ module tile_rows
   always_ff @(posedge clk_i) begin
     arrives_q <= read_o;
     beat_q    <= read_o ? beat_q + 1'b1 : '0;
-    if (arrives_q) begin
-      for (int unsigned i = 0; i + 1 < Beats; i++) row_beats_q[i] <= row_beats_q[i+1];
-      row_beats_q[Beats-1] <= beat_i;
-    end
+    if (arrives_q) row_pixels_q <= above(beat_i, row_pixels_q);
   end
 
   // ---- Send ----
   assign out_valid_o = state_q == Send;
-  always_comb begin
-    out_o = '{
-      addr:  addr_q,
-      beats: 3'(Beats),
-      strb:  strobes(columns(tile_q.x, tile_q.width)),
-      data:  '0
-    };
-    for (int unsigned i = 0; i < Beats; i++) out_o.data[DataW*i +: DataW] = row_beats_q[i];
-  end
+  assign out_o = '{addr: addr_q, beats: 3'(Beats), strb: strb_q, data: 512'(row_pixels_q)};
 endmodule

@@ -98,7 +98,7 @@ TEST(HitAccuracy, SpherePointWithinItsBoundOfTheSurface) {
       const real z = static_cast<real>(hit.t) / 16 * (p.ray.neg ? -1 : 1);
       const real dx = z * sx - static_cast<real>(c.x), dy = z * sy - static_cast<real>(c.y), dz = z - static_cast<real>(c.z);
       const real off = std::abs(std::sqrt(dx * dx + dy * dy + dz * dz) - radius);
-      const real bound = 4 + std::sqrt(s2) * (0.75L + radius * 1.75L * 0x1p-23L);
+      const real bound = 3 + std::sqrt(s2) * (0.625L + radius * 1.75L * 0x1p-23L);
       ASSERT_LE(off, bound) << to_text(p.ray) << "\n" << to_text(p.prim);
       worst = std::max(worst, off / bound);
       worst_steps = std::max(worst_steps, off);
@@ -110,7 +110,7 @@ TEST(HitAccuracy, SpherePointWithinItsBoundOfTheSurface) {
       if (q < 0.19L * radius * radius || radius < 16) continue;
       const real half = std::sqrt(q / s2), mid = b / s2;
       const real error = std::min(std::abs(z - mid + half), std::abs(z - mid - half));
-      const real bar = 10 + radius * 6 * 0x1p-23L;
+      const real bar = 5 + radius * 3 * 0x1p-23L;
       ASSERT_LE(error, bar) << to_text(p.ray) << "\n" << to_text(p.prim);
       worst_t = std::max(worst_t, error / bar);
     }
