@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference_check.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "camera/frame_setup.hpp"
@@ -17,8 +18,12 @@ class Judge {
   Judge(const Scene& scene, const SceneImage& image)
       : scene_(scene), image_(image), camera_(frame_setup(image.frame)), paint_(frame_paint(image.frame)) {}
 
-  // True if the hit shows the second of the two colours, by the model's own rule.
-  bool second_colour(const hit_record_t& record, int x, int y) const {
+  // The model's own state at a hit, made again from the hit record.
+  struct Seen {
+    bool second_colour = false;  // of the checker's two
+    bool faint_normal = false;
+  };
+  Seen seen(const hit_record_t& record, int x, int y) const {
     pixel_tag_t tag;
     tag.x = static_cast<std::uint64_t>(x);
     tag.y = static_cast<std::uint64_t>(y);
@@ -35,10 +40,12 @@ class Judge {
     hit.sy = ray.sy;
     hit.axis = ray.axis;
     hit.neg = ray.neg;
-    return is_colour_b(shade_vectors(hit, attr, camera_.eye), paint_);
+    const unit3_t normal = interpolate(attr, hit.u, hit.v).normal;
+    const std::int64_t length = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    return {is_colour_b(shade_vectors(hit, attr, camera_.eye), paint_), attr.kind == KindTriangle && length < kFaint};
   }
 
-  // The same of the reference.
+  // True if the reference shows the second colour.
   bool second_colour(const ReferencePixel& pixel) const {
     const auto prim = static_cast<std::size_t>(pixel.prim);
     const std::size_t triangles = scene_.triangles.size();
@@ -77,8 +84,13 @@ ReferenceCheck check_reference(const Scene& scene, const SceneImage& image, cons
       check.hits += found;
       if (found != (expected.prim >= 0) || (found && record.prim != static_cast<std::uint64_t>(expected.prim))) {
         ++check.other_primitive;
-      } else if (found && judge.second_colour(record, x, y) != judge.second_colour(expected)) {
+        continue;
+      }
+      const Judge::Seen seen = found ? judge.seen(record, x, y) : Judge::Seen{};
+      if (found && seen.second_colour != judge.second_colour(expected)) {
         ++check.other_cell;
+      } else if (seen.faint_normal) {
+        ++check.faint_normal;
       } else {
         const int distance = judge.distance(rendering.pixels[i], expected.colour);
         check.far_colour += distance > 1;

@@ -14,7 +14,8 @@ CORES_CHECKED := l1c32t3
 # Parameters of a variant by its name: l3c32t3 -> -GLanes=3 -GContexts=32 -GTileLog2=3
 core_parameters = $(join -GLanes= -GContexts= -GTileLog2=,$(subst l,,$(subst t, ,$(subst c, ,$(1)))))
 
-# The waveform writer first and with -O1: it is two thirds of the code and seldom runs. OPT_FAST, because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
+# The waveform writer first and with -O1: it is two thirds of the code and seldom runs. OPT_FAST,
+# because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
 $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@mkdir -p $(@D)
 	@echo "  VERILATE castray_core $*"
@@ -37,7 +38,7 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 	  sim/core_instance.cpp $< $(VERILATED_PIC) -lz -latomic -lpthread -o $@
 
 # ---- Programs ----
-SIM_PROGRAMS := make_teapot
+SIM_PROGRAMS := make_teapot bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
@@ -52,10 +53,13 @@ $(COMMIT): commit
 	@printf '#pragma once\ninline constexpr const char* kCommit = "%s";\n' \
 	  "$$(git describe --always --dirty 2> /dev/null || echo unknown)" > $@.new
 	@if cmp -s $@ $@.new; then rm $@.new; else mv $@.new $@; fi
-$(CLI_OBJECTS): | $(COMMIT)
+$(CLI_OBJECTS) $(BUILD)/obj/sim/bench.o: | $(COMMIT)
 
 $(BUILD)/castray: $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB)
 	@echo "  LINK  castray"
+	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
+$(BUILD)/bench: $(BUILD)/obj/sim/bench.o $(SIM_OBJECTS) $(LIB)
+	@echo "  LINK  bench"
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
 $(BUILD)/make_teapot: $(BUILD)/obj/sim/make_teapot.o $(LIB)
 	@echo "  LINK  make_teapot"

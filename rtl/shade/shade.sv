@@ -8,7 +8,9 @@
 //
 // The head of `rays` says which unit has the next normal, so hits stay in order. The direction
 // goes first, so that a normal leaves its unit in one cycle.
-// Only found hits enter. One hit every two cycles; eye_i and paint_i stand still during a frame.
+// Only found hits enter. One hit every two cycles, in order; latency 51 cycles for a triangle, 50
+// for a sphere. 25 DSPs: 9 and 2 for the normals, 6 to normalise, 8 to paint.
+// eye_i and paint_i stand still during a frame.
 // Model: cpp_model/shade/shade.hpp, equal bit for bit.
 module shade
   import castray_cfg_pkg::*;

@@ -1,86 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The primitive pipe: RTL = model = the plain definition, ties, extremes, culling, spheres.
-#include "Vray_prim.h"
-#include "closed_meshes.hpp"
-#include "dut.hpp"
-#include "isect/hit_unit.hpp"
+// The primitive pipe: RTL = model = the plain definition, ties, extremes, culling.
+#include "ray_prim_meshes.hpp"
+#include "ray_prim_spheres.hpp"
 
 namespace castray::tb {
 namespace {
-
-constexpr int kLatency = 11;
-
-// Sends the cases with the source's stalls and compares each result with the model.
-struct Sent {
-  int accepted = 0, missed = 0;
-};
-Sent run(const std::vector<PrimCase>& cases, Stalls stalls = {}, unsigned seed = 1) {
-  Dut<Vray_prim> dut(seed);
-  Gate source(stalls.source, stalls.burst, seed);
-  std::deque<std::pair<long, const PrimCase*>> pending;
-  Sent sent;
-  std::size_t next = 0;
-  int wrong = 0;
-  for (long cycle = 0; next < cases.size() || !pending.empty(); ++cycle) {
-    const bool offer = next < cases.size() && source.open();
-    dut->in_valid_i = offer;
-    if (offer) {
-      set_port(dut->in_ctx_i, cases[next].ctx);
-      set_port(dut->in_ray_i, cases[next].ray);
-      set_port(dut->in_prim_i, cases[next].prim);
-      pending.emplace_back(cycle, &cases[next++]);
-    }
-    dut.settle();
-    const bool due = !pending.empty() && pending.front().first + kLatency == cycle;
-    EXPECT_EQ(dut->out_valid_o + dut->retire_o, due) << "cycle " << cycle;
-    if (due) {
-      const PrimCase& c = *pending.front().second;
-      pending.pop_front();
-      cand_t want;
-      const bool accepted = ray_prim(c.ray, c.prim, c.ctx, want);
-      ++(accepted ? sent.accepted : sent.missed);
-      const bool same = accepted == bool(dut->out_valid_o) && (!accepted || want == get_port<cand_t>(dut->out_o));
-      EXPECT_TRUE(same) << "ray  " << to_text(c.ray) << "\nprim " << to_text(c.prim) << "\nmodel " << accepted << " "
-                        << to_text(want) << "\nRTL   " << bool(dut->out_valid_o) << " "
-                        << to_text(get_port<cand_t>(dut->out_o));
-      if (!same && ++wrong > 5) return sent;
-    }
-    dut.tick();
-  }
-  return sent;
-}
-
-test_ray_t straight_ray(bool neg = false, bool cull = false, axis_t axis = 2) {
-  test_ray_t ray;
-  ray.org.x = ray.org.y = ray.org.z = 1000;
-  ray.norm2 = 1 << NormFrac;
-  ray.axis = axis, ray.neg = neg, ray.cull = cull;
-  return ray;
-}
-PrimCase triangle(const test_ray_t& ray, delta3_t a, delta3_t b, delta3_t c) {
-  PrimCase t;
-  t.ray = ray;
-  t.prim.number = 7;
-  t.prim.a = at_delta(ray, a), t.prim.b = at_delta(ray, b), t.prim.c = at_delta(ray, c);
-  return t;
-}
-PrimCase sphere(const test_ray_t& ray, delta3_t centre, std::int64_t radius) {
-  PrimCase s;
-  s.ray = ray;
-  s.prim.number = 8, s.prim.kind = KindSphere;
-  s.prim.a = at_delta(ray, centre);
-  s.prim.b.x = static_cast<std::uint64_t>(radius);
-  return s;
-}
-bool hits(const PrimCase& c) {
-  cand_t cand;
-  return ray_prim(c.ray, c.prim, c.ctx, cand);
-}
-cand_t cand_of(const PrimCase& c) {
-  cand_t cand;
-  EXPECT_TRUE(ray_prim(c.ray, c.prim, c.ctx, cand));
-  return cand;
-}
 
 // Acceptance by the words of the definition: signs of zeros from two differences, det not zero.
 int sign(int128 x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -264,82 +188,6 @@ TEST(RayPrim, CullsBackFaces) {
   run(some);
 }
 
-TEST(RayPrim, TangentSphereHasDiscZero) {
-  // Straight ray: N R = R R / 2, X = x / 2: disc is zero at x = R, positive inside.
-  const PrimCase tangent = sphere(straight_ray(), {500, 0, 700}, 500);
-  EXPECT_EQ(cand_of(tangent).det, 0u);
-  EXPECT_FALSE(hits(sphere(straight_ray(), {502, 0, 700}, 500)));
-  EXPECT_TRUE(hits(sphere(straight_ray(), {498, 0, 700}, 500)));
-  run({tangent, sphere(straight_ray(), {502, 0, 700}, 500), sphere(straight_ray(), {498, 0, 700}, 500)});
-}
-
-TEST(RayPrim, SphereInsideBehindAndOfExtremeRadius) {
-  const std::int64_t biggest = (1 << 25) - 1;
-  std::vector<PrimCase> met, missed;
-  for (bool neg : {false, true})
-    for (axis_t axis : {0, 1, 2}) {
-      const test_ray_t ray = straight_ray(neg, false, axis);
-      met.push_back(sphere(ray, {10, -20, 5}, 900));       // the origin is inside
-      met.push_back(sphere(ray, {1, 1, -900}, 20));        // behind for a ray along +z: the line meets it
-      met.push_back(sphere(ray, {0, 0, 50}, 1));
-      met.push_back(sphere(ray, {3000, 3000, 9}, biggest));
-      missed.push_back(sphere(ray, {0, 0, 50}, 0));
-      missed.push_back(sphere(ray, {0, 0, 50}, biggest + 1));
-      missed.push_back(sphere(ray, {biggest, biggest, 50}, biggest));
-    }
-  EXPECT_EQ(run(met).accepted, int(met.size()));
-  EXPECT_EQ(run(missed).accepted, 0);
-}
-
-TEST(RayPrim, SphereFarOffTheRayFitsItsMultiplier) {
-  // |X Sy - Y Sx| stays below 2^26 where all is as large as it gets, rounded as badly as it gets.
-  const std::int64_t top = (1 << CoordW) - 1;
-  std::int64_t largest = 0;
-  std::vector<PrimCase> cases;
-  for (int i = 0; i < 1 << 10; ++i) {
-    PrimCase s;
-    s.prim.number = 1, s.prim.kind = KindSphere;
-    s.prim.b.x = (1 << 25) - 1;
-    s.ray.axis = 2;
-    s.ray.sx = (i & 1 ? -1 : 1) * (kOne - 1 - (i >> 8 & 1));
-    s.ray.sy = (i & 2 ? -1 : 1) * (kOne - 1 - (i >> 9 & 1));
-    s.ray.norm2 = norm2_of(s.ray.sx, s.ray.sy);
-    std::uint64_t* org[3] = {&s.ray.org.x, &s.ray.org.y, &s.ray.org.z};
-    std::uint64_t* at[3] = {&s.prim.a.x, &s.prim.a.y, &s.prim.a.z};
-    for (int k = 0; k < 3; ++k) {
-      const std::int64_t far = top - (i >> (5 + k) & 1);
-      *org[k] = static_cast<std::uint64_t>(i >> (2 + k) & 1 ? far : 0);
-      *at[k] = static_cast<std::uint64_t>(i >> (2 + k) & 1 ? 0 : far);
-    }
-    const std::int64_t z = sphere_cross(shear(corner_delta(s.prim.a, s.ray.org, 2), s.ray), s.ray);
-    largest = std::max(largest, std::abs(z));
-    cases.push_back(s);
-  }
-  EXPECT_LT(largest, 1 << 26);
-  EXPECT_GT(largest, (1 << 26) - 4);
-  run(cases);
-}
-
-TEST(RayPrim, RoundsSphereTiesHalfUp) {
-  // |S|^2 R = R for a straight ray, in units of two steps: 3 -> 2 and disc = 2 * 3.
-  EXPECT_EQ(cand_of(sphere(straight_ray(), {0, 0, 9}, 3)).det, 6u);
-  // Z = X Sy - Y Sx exactly half: X = 1, Sy = +-1/2.
-  test_ray_t up = straight_ray(), down = straight_ray();
-  up.sy = kOne / 2, down.sy = -kOne / 2;
-  up.norm2 = down.norm2 = norm2_of(0, up.sy);
-  const PrimCase z_up = sphere(up, {2, 0, 0}, 100), z_down = sphere(down, {2, 0, 0}, 100);
-  EXPECT_EQ(cand_of(z_up).det, 63u * 100 - 2 - 2);  // N = 62.5 -> 63, Z = 1
-  EXPECT_EQ(cand_of(z_down).det, 63u * 100 - 2);    // Z = 0
-  // X Sx exactly half a quarter step: X = 1, Sx = +-1/16.
-  test_ray_t right = straight_ray(), left = straight_ray();
-  right.sx = kOne / 16, left.sx = -kOne / 16;
-  right.norm2 = left.norm2 = norm2_of(right.sx, 0);
-  const PrimCase b_up = sphere(right, {2, 0, 0}, 100), b_down = sphere(left, {2, 0, 0}, 100);
-  EXPECT_EQ(cand_of(b_up).az, 1);
-  EXPECT_EQ(cand_of(b_down).az, 0);
-  run({sphere(straight_ray(), {0, 0, 9}, 3), z_up, z_down, b_up, b_down});
-}
-
 TEST(RayPrim, EmptySlotIsNeverAccepted) {
   PrimCase t = triangle(straight_ray(), {-50, -50, 9}, {50, -50, 9}, {0, 50, 9});
   EXPECT_TRUE(hits(t));
@@ -370,72 +218,6 @@ TEST(RayPrim, EveryStageHoldsAnAcceptedTest) {
     if (i % 7 == 0) cases.push_back(s);
   }
   EXPECT_EQ(run(cases).missed, 0);
-}
-
-// Rays from inside closed meshes through their edges and corners: one triangle each in front.
-// 20,000 rays a mesh against every triangle whose sheared box the ray meets, edges included; the
-// first 1,000 of them against every triangle of the mesh.
-class RayPrimMesh : public ::testing::TestWithParam<Mesh (*)()> {};
-INSTANTIATE_TEST_SUITE_P(All, RayPrimMesh, ::testing::Values(+[] { return bumpy_sphere(); }, +[] { return lattice_cube(); }));
-
-TEST_P(RayPrimMesh, OneTriangleForEachRay) {
-  const Mesh mesh = GetParam()();
-  const std::vector<prim_slot_t> slots = mesh.slots();
-  std::vector<packed_t<prim_slot_t>> packed;
-  for (const prim_slot_t& slot : slots) packed.push_back(pack(slot));
-  const int rays = 20000, whole = 1000;
-  Rng rng(61);
-  Dut<Vray_prim> dut;
-  struct Left {
-    hit_ray_t ray;
-    long tests = 0;
-    int front = 0;
-  };
-  std::deque<Left> left;  // rays whose tests are in the pipe
-  long tests = 0, tight = 0, done = 0;
-  const auto cycle = [&] {
-    dut.settle();
-    if (dut->out_valid_o || dut->retire_o) {
-      Left& ray = left.front();
-      result_t hit;
-      ray.front += dut->out_valid_o && hit_unit(get_port<cand_t>(dut->out_o), ray.ray, hit);
-      if (--ray.tests == 0) {
-        tight += ray.front == 1;
-        ++done;
-        left.pop_front();
-      }
-    }
-    dut.tick();
-  };
-  for (int i = 0; i < rays; ++i) {
-    const AimedRay aimed = aim(mesh, rng);
-    std::vector<std::size_t> near;
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      const auto at = [&](const point_t& p) { return shear(corner_delta(p, aimed.ray.org, aimed.ray.axis), aimed.ray); };
-      const sheared2_t a = at(slots[k].a), b = at(slots[k].b), c = at(slots[k].c);
-      const bool meets = std::min({a.x, b.x, c.x}) <= 0 && std::max({a.x, b.x, c.x}) >= 0 && std::min({a.y, b.y, c.y}) <= 0 &&
-                         std::max({a.y, b.y, c.y}) >= 0;
-      if (i < whole || meets) near.push_back(k);
-    }
-    Left ray;
-    ray.ray.norm2 = aimed.ray.norm2, ray.ray.neg = aimed.ray.neg;
-    ray.tests = static_cast<long>(near.size());
-    ASSERT_GT(ray.tests, 0);
-    left.push_back(ray);
-    tests += ray.tests;
-    dut->in_valid_i = 1;
-    set_port(dut->in_ctx_i, i % 64);
-    set_port(dut->in_ray_i, aimed.ray);
-    for (std::size_t k : near) {
-      for (std::size_t w = 0; w < packed[k].size(); ++w) dut->in_prim_i[w] = packed[k][w];
-      cycle();
-    }
-  }
-  dut->in_valid_i = 0;
-  for (int i = 0; i < kLatency; ++i) cycle();
-  std::printf("%s: %ld tests, %d rays, exactly one triangle for %ld\n", mesh.name.c_str(), tests, rays, tight);
-  EXPECT_EQ(done, rays);
-  EXPECT_EQ(tight, rays);
 }
 
 TEST(RayPrim, ResetEmptiesThePipe) {
