@@ -40,9 +40,16 @@ class Judge {
     hit.sy = ray.sy;
     hit.axis = ray.axis;
     hit.neg = ray.neg;
-    const unit3_t normal = interpolate(attr, hit.u, hit.v).normal;
-    const std::int64_t length = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
-    return {is_colour_b(shade_vectors(hit, attr, camera_.eye), paint_), attr.kind == KindTriangle && length < kFaint};
+    // Before the face's normal stands in for a sum of zero.
+    const weights_t w = weights_of(hit.u, hit.v);
+    const std::int64_t length = std::max({std::abs(mix(w, attr.na.x, attr.nb.x, attr.nc.x, unit_t_bits)),
+                                          std::abs(mix(w, attr.na.y, attr.nb.y, attr.nc.y, unit_t_bits)),
+                                          std::abs(mix(w, attr.na.z, attr.nb.z, attr.nc.z, unit_t_bits))});
+    return {is_colour_b(shade_vectors(hit, attr, camera_.eye), paint_), attr.kind == KindTriangle && has_normals(attr) && length < kFaint};
+  }
+
+  static bool has_normals(const attr_t& attr) {
+    return !(attr.na == unit3_t{}) || !(attr.nb == unit3_t{}) || !(attr.nc == unit3_t{});
   }
 
   // True if the reference shows the second colour.

@@ -73,6 +73,9 @@ $(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test
 # A test that runs the core says on which variants: "// Cores: l1c32t3 l3c32t3".
 $(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(shell sed -n 's,^// Cores: ,,p' $(t)))))
 
+# And one that runs the program: "// Program: castray".
+$(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(addprefix $(BUILD)/,$(shell sed -n 's,^// Program: ,,p' $(t)))))
+
 .PHONY: cores
 cores: $(call cores_files,$(CORES_TEST)) ## build the Verilated cores that the tests use
 -include $(SIM_OBJECTS:.o=.d) $(CLI_OBJECTS:.o=.d) $(SIM_PROGRAMS:%=$(BUILD)/obj/sim/%.d)

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program from outside: bad input ends with one line that names file, place and cause, with the
+// documented exit code, and with no picture; good input with all that was asked for.
+// Program: castray
+// Cores: l3c32t3
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace castray::tb {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return path(name);
+  }
+  Outcome run(const std::string& arguments) const {
+    const std::string out = path(".out"), err = path(".err");
+    const int status = std::system(("build/castray " + arguments + " > " + out + " 2> " + err).c_str());
+    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
+    fs::remove(out);
+    fs::remove(err);
+    return outcome;
+  }
+  // Fails with `code` and one line that has all of `words`; leaves no file but those that were there.
+  void expect_refused(const std::string& arguments, int code, const std::vector<std::string>& words) const {
+    SCOPED_TRACE(arguments);
+    const auto count = [&] { return std::distance(fs::recursive_directory_iterator(folder_), fs::recursive_directory_iterator{}); };
+    const auto before = count();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const std::string& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " not in: " << outcome.err;
+    EXPECT_EQ(count(), before) << "a file was left behind";
+  }
+
+  const fs::path folder_ = fs::temp_directory_path() / ("castray_command_line_" + std::to_string(getpid()));
+};
+
+TEST_F(CommandLine, BadMeshes) {
+  const std::string out = " --engine model -o " + path("out.png") + " --aov " + path("out.exr");
+  const std::string corners = "1 3 0 1 2 ", points = "0 0 0 1 0 0 0 1 0 ";
+  const auto refused = [&](const std::string& text, const std::string& cause) {
+    const std::string mesh = file("bad.geo", text);
+    expect_refused("render " + mesh + out, 2, {mesh, cause});
+  };
+  expect_refused("render " + path("none.geo") + out, 2, {path("none.geo"), "no such file"});
+  refused("", "");
+  refused(corners + "0 0 0 1", "");
+  refused("1 2 0 1 " + points, "corner");
+  refused("1 3 0 1 99999999999 " + points, "");
+  refused(corners + "0 0 0 1 0 0 0 nan 0", "");
+  refused(corners + "0 0 0 1 0 0 0 inf 0", "");
+  refused(corners + "0 0 0 1e300 0 0 0 1 0", "");
+  refused(corners + points + "1 2", "");
+  refused("0 0 0 0", "");
+}
+
+TEST_F(CommandLine, BadScenes) {
+  const std::string out = " --engine model -o " + path("out.png");
+  const auto refused = [&](const std::string& text) {
+    const std::string scene = file("bad.json", text);
+    expect_refused("render " + scene + out, 2, {scene});
+  };
+  refused("{");
+  refused("[]");
+  refused("{}");
+  refused(R"({"spheres": [{"centre": [0, 0, 0], "radius": -1}]})");
+  refused(R"({"spheres": [{"centre": [0, 0, 0], "radius": 1}], "size": [0, 10]})");
+  refused(R"({"spheres": [{"centre": [0, 0, 0], "radius": 1}], "camera": {"eye": [1, 1, 1], "look_at": [1, 1, 1]}})");
+  refused(R"({"spheres": [{"centre": [0, 0, 0], "radius": 1}], "camera": {"eye": [1e40, 1, 1], "look_at": [0, 0, 0]}})");
+}
+
+TEST_F(CommandLine, BadOptions) {
+  const std::string scene = "render scenes/cube.json --engine model -o " + path("out.png") + " ";
+  for (const std::string size : {"0x10", "10x0", "5000x10", "10", "x", "10x", "-3x5", "10x10x10", "99999999999x1"})
+    expect_refused(scene + "--size " + size, 2, {size});
+  expect_refused("render scenes/cube.json --engine gpu", 2, {"engine", "gpu"});
+  expect_refused("render scenes/cube.json --stalls sometimes", 2, {"stalls", "sometimes"});
+  expect_refused("render scenes/cube.json --memory dram", 2, {"memory", "dram"});
+  expect_refused("render scenes/cube.json --lanes 7", 2, {"7 lanes", "make"});
+  expect_refused("render scenes/cube.json --lanes three", 2, {"lanes"});
+  expect_refused("render", 2, {"scene"});
+  expect_refused("polish scenes/cube.json", 2, {"polish"});
+  expect_refused("", 2, {"subcommand"});
+  expect_refused(scene + "--check", 2, {"--check"});
+  expect_refused(scene + "--trace-window 1:2", 2, {"--trace"});
+  expect_refused("ray scenes/cube.json 500 1 --size 16x16", 2, {"500"});
+}
+
+TEST_F(CommandLine, UnwritableOutputs) {
+  const std::string none = path("none/out.png");
+  expect_refused("render scenes/cube.json --engine model -o " + none, 6, {none});
+  expect_refused("render scenes/cube.json --engine model -o " + path("out.png") + " --aov " + path("none/out.exr"), 6, {"none/out.exr"});
+  expect_refused("render scenes/cube.json --engine model -o " + path("out.png") + " --json " + path("none/out.json"), 6, {"none/out.json"});
+  expect_refused("render scenes/cube.json --engine model -o " + path("out.nonsense"), 6, {"out.nonsense"});
+  expect_refused("render scenes/cube.json --engine model -o " + path("out"), 2, {"suffix"});
+}
+
+TEST_F(CommandLine, RendersChecksAndReports) {
+  const Outcome outcome = run("render scenes/spheres.json --size 24x16 --lanes 3 --check --stalls uniform --seed 5 -o " + path("a.png") + " --aov " +
+                              path("a.exr") + " --json " + path("a.json") + " --hits " + path("a.hits") + " --frame " + path("a.frame") +
+                              " --save-scene " + path("scene.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const auto report = nlohmann::json::parse(read(path("a.json")));
+  EXPECT_EQ(report["pixels"], 384);
+  EXPECT_EQ(report["pixels_differ"], 0);
+  EXPECT_EQ(report["hits_differ"], 0);
+  EXPECT_EQ(report["lanes"], 3);
+  EXPECT_EQ(report["stalls"], "uniform");
+  EXPECT_EQ(report["seed"], 5);
+  EXPECT_GT(report["cycles"], 1000);
+  EXPECT_EQ(fs::file_size(path("a.hits")), 384u * 32);
+  EXPECT_EQ(fs::file_size(path("a.frame")), 384u * 4);
+
+  // The engines agree, and the saved scene is the scene.
+  ASSERT_EQ(run("render " + path("scene.json") + " --engine model --size 24x16 -o " + path("b.png") + " --hits " + path("b.hits")).code, 0);
+  EXPECT_EQ(read(path("a.hits")), read(path("b.hits")));
+  EXPECT_EQ(run("compare " + path("a.png") + " " + path("b.png")).code, 0);
+  ASSERT_EQ(run("render scenes/spheres.json --engine float64 --size 24x16 -o " + path("c.png")).code, 0);
+  EXPECT_EQ(run("compare --tolerance 1 " + path("a.png") + " " + path("c.png")).code, 0);
+  ASSERT_EQ(run("render scenes/spheres.json --engine float32 --size 16x24 -o " + path("d.png")).code, 0);
+  EXPECT_EQ(run("compare " + path("a.png") + " " + path("d.png")).code, 1) << "other dimensions";
+  EXPECT_EQ(run("compare " + path("a.png") + " " + path("none.png")).code, 2);
+}
+
+TEST_F(CommandLine, ShowsARay) {
+  const Outcome outcome = run("ray scenes/spheres.json 12 8 --size 24x16 --trace " + path("ray.fst"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  for (const char* stage : {"ray_gen", "ray_setup", "ray_prim", "hit_unit", "lane", "shade", "hit record", "float64", "0 values differ"})
+    EXPECT_NE(outcome.out.find(stage), std::string::npos) << stage;
+  EXPECT_GT(fs::file_size(path("ray.fst")), 1000u);
+}
+
+TEST_F(CommandLine, TracesAWindow) {
+  const std::string command = "render scenes/cube.json --size 8x8 -o " + path("a.png") + " --trace " + path("a.fst");
+  ASSERT_EQ(run(command + " --trace-window 100:400").code, 0);
+  const auto small = fs::file_size(path("a.fst"));
+  EXPECT_GT(small, 1000u);
+  ASSERT_EQ(run(command + " --trace-window 100:1500").code, 0);
+  EXPECT_GT(fs::file_size(path("a.fst")), small);
+}
+
+TEST_F(CommandLine, MeshesNeedNoSceneFile) {
+  const Outcome outcome = run("render scenes/cube.geo --engine model --size 24x16 -o " + path("a.png"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("default"), std::string::npos) << "the defaults are printed";
+  EXPECT_EQ(run("info scenes/cube.geo").code, 0);
+  EXPECT_EQ(run("--version").code, 0);
+  EXPECT_EQ(run("render --help").code, 0);
+}
+
+}  // namespace
+}  // namespace castray::tb

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must fail does fail: one wrong bit of one pixel or one hit record is found and named.
+#include <gtest/gtest.h>
+
+#include "comparison.hpp"
+#include "reference_check.hpp"
+#include "frame_run.hpp"
+#include "scene/load.hpp"
+
+namespace castray::tb {
+namespace {
+
+const SceneImage& image() {
+  static const SceneImage image = compile(load_scene("scenes/cube.json"), 20, 15);
+  return image;
+}
+const sim::Rendering& frame() {
+  static const sim::Rendering rendering = sim::run_model(image());
+  return rendering;
+}
+
+TEST(Comparison, EqualFramesAreEqual) {
+  const sim::Comparison comparison = sim::compare(frame(), frame());
+  EXPECT_TRUE(comparison.equal());
+  EXPECT_TRUE(comparison.first.empty());
+}
+
+TEST(Comparison, OneBitOfAPixel) {
+  sim::Rendering other = frame();
+  other.pixels[137] ^= 1;
+  const sim::Comparison comparison = sim::compare(other, frame());
+  EXPECT_EQ(comparison.pixels_differ, 1u);
+  EXPECT_EQ(comparison.hits_differ, 0u);
+  EXPECT_EQ(comparison.first, std::vector<std::size_t>{137});
+}
+
+TEST(Comparison, OneBitOfAHitRecordItsReservedBytesToo) {
+  for (const std::size_t byte : {0, 4, 8, 12, 16, 20, 31}) {
+    sim::Rendering other = frame();
+    other.hits[42 * HitBytes + byte] ^= 0x80;
+    const sim::Comparison comparison = sim::compare(other, frame());
+    EXPECT_EQ(comparison.pixels_differ, 0u);
+    EXPECT_EQ(comparison.hits_differ, 1u) << byte;
+    EXPECT_EQ(comparison.first, std::vector<std::size_t>{42});
+  }
+}
+
+TEST(Comparison, OtherSizesDifferEverywhere) {
+  const sim::Rendering other = sim::run_model(compile(load_scene("scenes/cube.json"), 15, 20));
+  EXPECT_EQ(sim::compare(other, frame()).pixels_differ, 300u);
+}
+
+// The reference check counts each kind of difference where it belongs.
+class ReferenceCheck : public testing::Test {
+ protected:
+  const Scene scene_ = load_scene("scenes/cube.json");
+  const ReferenceFrame reference_ = trace_float64(scene_, 20, 15);
+  sim::ReferenceCheck check(const sim::Rendering& rendering) { return sim::check_reference(scene_, image(), rendering, reference_); }
+
+  // A pixel that hits, or one that does not.
+  std::size_t pixel(bool hit) const {
+    std::size_t i = 0;
+    while ((reference_.pixels[i].prim >= 0) != hit) ++i;
+    return i;
+  }
+};
+
+TEST_F(ReferenceCheck, CleanFrame) {
+  const sim::ReferenceCheck result = check(frame());
+  EXPECT_EQ(result.hits, reference_.hits);
+  EXPECT_EQ(result.other_primitive + result.other_cell + result.far_colour, 0u);
+  EXPECT_LE(result.worst, 1);
+}
+
+TEST_F(ReferenceCheck, AnotherPrimitive) {
+  sim::Rendering other = frame();
+  other.hits[pixel(true) * HitBytes + 12] ^= 1;
+  EXPECT_EQ(check(other).other_primitive, 1u);
+  other = frame();
+  other.hits[pixel(false) * HitBytes + 12] = 0;
+  EXPECT_EQ(check(other).other_primitive, 1u) << "a hit against a miss";
+}
+
+TEST_F(ReferenceCheck, FarColour) {
+  for (const bool hit : {true, false}) {
+    for (const int channel : {0, 8, 16}) {
+      sim::Rendering other = frame();
+      other.pixels[pixel(hit)] ^= 0x10u << channel;
+      EXPECT_EQ(check(other).far_colour, 1u);
+      EXPECT_GE(check(other).worst, 15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace castray::tb
