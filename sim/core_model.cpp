@@ -17,7 +17,7 @@ std::filesystem::path cores_folder() {
   std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (; folder.has_relative_path(); folder = folder.parent_path())
     if (std::filesystem::is_directory(folder / "cores")) return folder / "cores";
-  throw std::runtime_error("no folder build/cores: build a core first, for example with 'make build/cores/l3c32t3.so'");
+  throw std::invalid_argument("no folder build/cores: build a core first, for example with 'make build/cores/l3c32t3.so'");
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ std::string text_of(const CoreVariant& variant) {
 std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed) {
   const std::filesystem::path file = cores_folder() / variant.file();
   if (!std::filesystem::exists(file))
-    throw std::runtime_error("no core of " + text_of(variant) + " was built: make build/cores/" + variant.file());
+    throw std::invalid_argument("no core of " + text_of(variant) + " was built: make build/cores/" + variant.file());
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded
   if (!library) throw std::runtime_error(dlerror());
   const auto factory = reinterpret_cast<CoreFactory>(dlsym(library, kCoreFactory));

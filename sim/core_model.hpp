@@ -43,7 +43,7 @@ class CoreModel {
 using CoreFactory = CoreModel* (*)(std::uint64_t seed);
 inline constexpr const char* kCoreFactory = "castray_make_core";
 
-// Throws std::runtime_error with the command that builds it if this variant was not built.
+// Throws std::invalid_argument with the command that builds it if this variant was not built.
 std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed);
 std::string text_of(const CoreVariant& variant);
 

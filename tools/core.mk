@@ -38,7 +38,7 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 	  sim/core_instance.cpp $< $(VERILATED_PIC) -lz -latomic -lpthread -o $@
 
 # ---- Programs ----
-SIM_PROGRAMS := make_teapot bench
+SIM_PROGRAMS := castray make_teapot bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
@@ -55,7 +55,7 @@ $(COMMIT): commit
 	@if cmp -s $@ $@.new; then rm $@.new; else mv $@.new $@; fi
 $(CLI_OBJECTS) $(BUILD)/obj/sim/bench.o: | $(COMMIT)
 
-$(BUILD)/castray: $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB)
+$(BUILD)/castray: $(BUILD)/obj/sim/castray.o $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB)
 	@echo "  LINK  castray"
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
 $(BUILD)/bench: $(BUILD)/obj/sim/bench.o $(SIM_OBJECTS) $(LIB)
@@ -66,15 +66,12 @@ $(BUILD)/make_teapot: $(BUILD)/obj/sim/make_teapot.o $(LIB)
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(LIBS)
 
 # ---- Tests: tb/sim of the simulator itself, tb/frame of whole frames on the test variants ----
-$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(SIM_OBJECTS) $(LIB) $(RECORDS)
+$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB) $(RECORDS)
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
 	@$(CXX) $(CXXFLAGS) -Itb/common -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
 # A test that runs the core says on which variants: "// Cores: l1c32t3 l3c32t3".
 $(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(shell sed -n 's,^// Cores: ,,p' $(t)))))
-
-# And one that runs the program: "// Program: castray".
-$(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(addprefix $(BUILD)/,$(shell sed -n 's,^// Program: ,,p' $(t)))))
 
 .PHONY: cores
 cores: $(call cores_files,$(CORES_TEST)) ## build the Verilated cores that the tests use

@@ -22,21 +22,19 @@ module pipe_chain #(
     $error("pipe_chain: Stages must be at least 1");
   end
 
-  logic [Stages-1:0] valid_q, offered, ready;
+  logic [Stages-1:0] valid_q, offered, open, ready;
 
   assign offered  = Stages'({valid_q, valid_i});  // the valid that each stage is offered
   assign ready_o = ready[0];
   assign valid_o = valid_q[Stages-1];
   assign load_o  = offered & ready;
 
-  // A stage moves unless all places from it on are taken and the output is blocked.
+  // A stage moves if a place from it on is free, or the output is taken: the free places, smeared
+  // towards the input in a logarithmic number of steps.
   always_comb begin
-    logic blocked;
-    blocked = !ready_i;
-    for (int unsigned i = 0; i < Stages; i++) begin
-      blocked = blocked && valid_q[Stages-1-i];
-      ready[Stages-1-i] = !blocked;
-    end
+    open = ~valid_q;
+    for (int unsigned i = 1; i < Stages; i *= 2) open = open | (open >> i);
+    ready = open | {Stages{ready_i}};
   end
 
   always_ff @(posedge clk_i) begin

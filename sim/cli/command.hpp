@@ -31,4 +31,7 @@ void add_ray(CLI::App& app, int& code);
 void add_info(CLI::App& app, int& code);
 void add_compare(CLI::App& app, int& code);
 
+// All of them; never throws.
+int program(int argc, const char* const* argv);
+
 }  // namespace castray::cli

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program from outside: bad input ends with one line that names file, place and cause, with the
 // documented exit code, and with no picture; good input with all that was asked for.
-// Program: castray
 // Cores: l3c32t3
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/command.hpp"
 
 namespace castray::tb {
 namespace {
@@ -43,12 +43,18 @@ class CommandLine : public testing::Test {
     std::ofstream(folder_ / name) << text;
     return path(name);
   }
+  // Runs the program, in this process, its two outputs caught in files.
   Outcome run(const std::string& arguments) const {
-    const std::string out = path(".out"), err = path(".err");
-    const int status = std::system(("build/castray " + arguments + " > " + out + " 2> " + err).c_str());
-    Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(out), read(err)};
-    fs::remove(out);
-    fs::remove(err);
+    std::istringstream stream("castray " + arguments);
+    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    std::vector<const char*> argv;
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    Outcome outcome;
+    outcome.code = cli::program(static_cast<int>(argv.size()), argv.data());
+    outcome.out = testing::internal::GetCapturedStdout();
+    outcome.err = testing::internal::GetCapturedStderr();
     return outcome;
   }
   // Fails with `code` and one line that has all of `words`; leaves no file but those that were there.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program: renders scenes on the simulated core, the model or the references, and looks into it.
+// The commands as one program, and what each failure is to the shell.
 #include <cstdio>
 
 #include "castray_commit.hpp"
@@ -22,7 +22,7 @@ int complain(ExitCode code, const char* what) {
   return code;
 }
 
-int run(int argc, char** argv) {
+int run(int argc, const char* const* argv) {
   int code = kOk;
   CLI::App app("castray: a ray tracer in hardware, simulated", "castray");
   const std::string version =
@@ -34,6 +34,8 @@ int run(int argc, char** argv) {
   add_ray(app, code);
   add_info(app, code);
   add_compare(app, code);
+  if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1]))
+    throw InputError("'" + std::string(argv[1]) + "' is not a command; castray --help lists them");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& e) {
@@ -45,16 +47,15 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace castray::cli
 
-int main(int argc, char** argv) {
-  using namespace castray;
-  using namespace castray::cli;
+int program(int argc, const char* const* argv) {
   try {
     return run(argc, argv);
   } catch (const SceneError& e) {
     return complain(kBadInput, e.what());
   } catch (const InputError& e) {
+    return complain(kBadInput, e.what());
+  } catch (const std::invalid_argument& e) {
     return complain(kBadInput, e.what());
   } catch (const sim::PictureError& e) {
     return complain(kBadOutput, e.what());
@@ -64,3 +65,5 @@ int main(int argc, char** argv) {
     return complain(kInternal, e.what());
   }
 }
+
+}  // namespace castray::cli
