@@ -195,7 +195,8 @@ template <class V> class CoreInstance final : public CoreModel {
     }
     if (!fst_) {
       fst_ = std::make_unique<VerilatedFstC>();
-      top_->trace(fst_.get(), 99);
+      if constexpr (requires { top_->trace(fst_.get(), 99); }) top_->trace(fst_.get(), 99);
+      else throw std::runtime_error("this core was built without waveforms");
       fst_->open(trace_file_.c_str());
       if (!fst_->isOpen()) throw std::runtime_error(trace_file_ + ": cannot write the waveforms");
     }

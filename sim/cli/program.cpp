@@ -34,7 +34,8 @@ int run(int argc, const char* const* argv) {
   add_ray(app, code);
   add_info(app, code);
   add_compare(app, code);
-  if (argc > 1 && argv[1][0] != '-' && !app.get_subcommand_no_throw(argv[1]))
+  const auto named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
     throw InputError("'" + std::string(argv[1]) + "' is not a command; castray --help lists them");
   try {
     app.parse(argc, argv);
