@@ -22,7 +22,7 @@
 namespace castray {
 namespace {
 
-// What the core holds on the chip for the length of a job.
+// What is read from the image, and made of it, once a job.
 struct Loaded {
   error_t error = ErrNone;
   image_header_t header;

@@ -2,8 +2,8 @@
 // Integer arithmetic of known width, and the packing of records into bits.
 //
 // The model is written in plain 64-bit integers whose formats are named in castray_records.hpp;
-// fits() states a width where one could be exceeded, and the functions below are the only places
-// where precision is lost. Wider products use int128.
+// fits_signed() states a width where one could be exceeded. Precision is lost in round_shift() and
+// where docs/number-formats.md says truncated or floor. Wider products use int128.
 #pragma once
 #include <array>
 #include <bit>

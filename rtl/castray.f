@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one list of RTL files, packages first: lint, simulation and synthesis all read it.
 rtl/pkg/castray_cfg_pkg.sv
 rtl/pkg/castray_pkg.sv

@@ -23,7 +23,8 @@
 
 namespace castray::sim {
 
-// How the memory answers. Both profiles are named in docs/: every published figure says which.
+// How the memory answers: `reference`, or `hp` with 8 requests outstanding, as a port of the board's
+// processor takes. Every published figure says which.
 struct AxiTiming {
   std::string name = "reference";
   unsigned latency = 60;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `make bench` measures: each run gives one record, an object with the fields that
-// docs/bench.md names.
+// What `make bench` measures: each run gives one record of build/bench.json, an object; the tables
+// of docs/bench.md are made of them.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>

@@ -10,7 +10,7 @@ namespace castray::bench {
 
 std::string page_of(const std::vector<Json>& records);
 
-// What must hold and does not, one line each: the bars of docs/bench.md.
+// What must hold and does not, one line each.
 std::vector<std::string> broken_bars(const std::vector<Json>& records);
 
 }  // namespace castray::bench

@@ -13,7 +13,7 @@ struct sphere_disc_t {
   std::int64_t towards = 0;  // X Sx + Y Sy, quarter steps
 };
 
-// |S| R in units of two steps, |S|^2 = norm2.
+// N = |S|^2 R in units of two steps; norm2 is |S|^2.
 inline std::int64_t reach(norm2_t norm2, std::int64_t radius) {
   return round_shift(static_cast<std::int64_t>(norm2) * radius, NormFrac + 1);
 }

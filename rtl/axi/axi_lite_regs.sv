@@ -97,7 +97,7 @@ module axi_lite_regs
     end
   end
 
-  // ---- Arguments: each is one 32-bit word ----
+  // ---- Arguments: 32-bit words, two for a pointer ----
   typedef struct packed {
     logic [31:0] window_max, window_min, options, frame_size, hits_bytes, frame_bytes, image_bytes;
     logic [63:0] hits, frame, image;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does the ray's line meet the sphere? X, Y: the sheared centre; R: the radius; N: |S| R, of
+// Does the ray's line meet the sphere? X, Y: the sheared centre; R: the radius; N: |S|^2 R, of
 // which R is in steps, N in units of two. Five of the products, and N R, are edge_fns'.
 //   s1-s3  Y Sy                          exact, 2 DSPs
 //   s4     Z = X Sy - Y Sx               nearest, units of two steps; below 2^26, because the

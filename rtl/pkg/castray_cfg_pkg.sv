@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bit widths of the arithmetic: the one place where each is chosen.
-// docs/number-formats.md derives them; a build for other widths replaces this file only.
+// docs/number-formats.md derives them; a unit that is made for one width refuses others at elaboration.
 package castray_cfg_pkg;
   // Version of the core, major.minor.patch; the version register and `castray --version` show it.
   localparam int unsigned VersionMajor = 0;
   localparam int unsigned VersionMinor = 1;
   localparam int unsigned VersionPatch = 0;
 
-  // A position: unsigned steps of the scene's grid from the scene's corner (20 to 26).
+  // A position: unsigned steps of the scene's grid from the scene's corner.
   localparam int unsigned CoordW = 26;
-  // Fraction bits of the shear Sx, Sy of a ray (16 to 26).
+  // Fraction bits of the shear Sx, Sy of a ray.
   localparam int unsigned ShearFrac = 26;
   // Fraction bits of a distance along the dominant axis.
   localparam int unsigned TFrac = 4;
-  // Fraction bits of u and v, the quotients of the hit divider (12 to 24).
+  // Fraction bits of u and v, the quotients of the hit divider.
   localparam int unsigned BaryFrac = 24;
   // Operand bits of the hit divider, after normalisation.
   localparam int unsigned HitDivW = 26;

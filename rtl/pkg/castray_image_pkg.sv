@@ -106,7 +106,7 @@ package castray_image_pkg;
   // One record of the hit buffer.
   typedef struct packed {
     logic [95:0]        reserved;
-    logic [31:0]        instance_id;  // 0 for now; all ones for a miss
+    logic [31:0]        instance_id;  // 0: no instances; all ones for a miss
     logic [31:0]        prim;         // all ones for a miss
     logic [31:0]        v;            // Q1.24
     logic [31:0]        u;            // Q1.24

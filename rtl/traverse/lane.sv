@@ -6,8 +6,8 @@
 //
 //   ray -> ray_store --test(ctx, primitive)--> ray_prim -> queue -> hit_unit -> nearest -> hit
 //
-// One test a cycle; a hit is divided in two. Contexts are given out in order and freed when their
-// hits leave.
+// One test a cycle; an accepted one takes the divider two. Contexts are given out in order and
+// freed when their hits leave.
 // Model: cpp_model/core.cpp, equal bit for bit.
 module lane
   import castray_cfg_pkg::*;
