@@ -18,12 +18,9 @@ class Judge {
   Judge(const Scene& scene, const SceneImage& image)
       : scene_(scene), image_(image), camera_(frame_setup(image.frame)), paint_(frame_paint(image.frame)) {}
 
-  // The model's own state at a hit, made again from the hit record.
-  struct Seen {
-    bool second_colour = false;  // of the checker's two
-    bool faint_normal = false;
-  };
-  Seen seen(const hit_record_t& record, int x, int y) const {
+  // True if the model shows the second colour of the checker: its state at the hit, made again
+  // from the hit record.
+  bool second_colour(const hit_record_t& record, int x, int y) const {
     pixel_tag_t tag;
     tag.x = static_cast<std::uint64_t>(x);
     tag.y = static_cast<std::uint64_t>(y);
@@ -40,16 +37,7 @@ class Judge {
     hit.sy = ray.sy;
     hit.axis = ray.axis;
     hit.neg = ray.neg;
-    // Before the face's normal stands in for a sum of zero.
-    const weights_t w = weights_of(hit.u, hit.v);
-    const std::int64_t length = std::max({std::abs(mix(w, attr.na.x, attr.nb.x, attr.nc.x, unit_t_bits)),
-                                          std::abs(mix(w, attr.na.y, attr.nb.y, attr.nc.y, unit_t_bits)),
-                                          std::abs(mix(w, attr.na.z, attr.nb.z, attr.nc.z, unit_t_bits))});
-    return {is_colour_b(shade_vectors(hit, attr, camera_.eye), paint_), attr.kind == KindTriangle && has_normals(attr) && length < kFaint};
-  }
-
-  static bool has_normals(const attr_t& attr) {
-    return !(attr.na == unit3_t{}) || !(attr.nb == unit3_t{}) || !(attr.nc == unit3_t{});
+    return is_colour_b(shade_vectors(hit, attr, camera_.eye), paint_);
   }
 
   // True if the reference shows the second colour.
@@ -93,11 +81,8 @@ ReferenceCheck check_reference(const Scene& scene, const SceneImage& image, cons
         ++check.other_primitive;
         continue;
       }
-      const Judge::Seen seen = found ? judge.seen(record, x, y) : Judge::Seen{};
-      if (found && seen.second_colour != judge.second_colour(expected)) {
+      if (found && judge.second_colour(record, x, y) != judge.second_colour(expected)) {
         ++check.other_cell;
-      } else if (seen.faint_normal) {
-        ++check.faint_normal;
       } else {
         const int distance = judge.distance(rendering.pixels[i], expected.colour);
         check.far_colour += distance > 1;

@@ -15,14 +15,9 @@ struct ReferenceCheck {
   std::size_t hits = 0;             // of the rendering
   std::size_t other_primitive = 0;  // a hit against a miss included
   std::size_t other_cell = 0;       // same primitive, another colour of the checker
-  std::size_t faint_normal = 0;     // corner normals that nearly cancel: see kFaint
-  std::size_t far_colour = 0;       // none of these, yet a channel is more than one of 255 away
+  std::size_t far_colour = 0;       // neither, yet a channel is more than one of 255 away
   int worst = 0;                    // largest distance of a channel among those
 };
-
-// An interpolated normal of Q2.16 has an error of up to 2^-16 in each component, its own rounding and
-// that of the corners'. Below this length (in 2^-16) the error turns it by more than a colour shows.
-inline constexpr std::int64_t kFaint = 512;
 
 // The rendering must have its hit records.
 ReferenceCheck check_reference(const Scene& scene, const SceneImage& image, const Rendering& rendering, const ReferenceFrame& reference);

@@ -24,23 +24,29 @@ def load(folder, only):
     return faults
 
 
+def run_test(tree, unit, jobs):
+    """None if the unit's test does not build or end, else whether it passes; and a message."""
+    test = f"build/unit/{unit}_test"
+    built = subprocess.run(["make", "-s", f"-j{jobs}", test], cwd=tree, capture_output=True, text=True)
+    if built.returncode:
+        return None, "does not build: " + (built.stderr.strip().splitlines() or ["no message"])[-1]
+    try:
+        run = subprocess.run([f"./{test}"], cwd=tree, capture_output=True, timeout=300)
+    except subprocess.TimeoutExpired:
+        return None, "the test did not end"
+    return run.returncode == 0, "passes" if run.returncode == 0 else "fails"
+
+
 def verdict(tree, fault, jobs):
     """'caught', or what went wrong instead."""
     target = tree / fault["file"]
     text = target.read_text()
     if text.count(fault["old"]) != 1:
         return f"the text stands {text.count(fault['old'])} times in {fault['file']}"
-    test = f"build/unit/{fault['unit']}_test"
     target.write_text(text.replace(fault["old"], fault["new"]))
     try:
-        built = subprocess.run(["make", "-s", f"-j{jobs}", test], cwd=tree, capture_output=True, text=True)
-        if built.returncode:
-            return "does not build: " + (built.stderr.strip().splitlines() or ["no message"])[-1]
-        try:
-            run = subprocess.run([f"./{test}"], cwd=tree, capture_output=True, timeout=300)
-        except subprocess.TimeoutExpired:
-            return "the test did not end"
-        return "caught" if run.returncode else "NOT caught"
+        passed, message = run_test(tree, fault["unit"], jobs)
+        return message if passed is None else "NOT caught" if passed else "caught"
     finally:
         target.write_text(text)
 
@@ -58,6 +64,10 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder) / "castray"
         shutil.copytree(root, tree, ignore=shutil.ignore_patterns("build", ".git"))
+        for unit in sorted({fault["unit"] for fault in faults}):
+            passed, message = run_test(tree, unit, args.jobs)
+            if not passed:
+                sys.exit(f"plant_faults: without any fault the test of {unit} {message}")
         for number, fault in enumerate(faults, 1):
             result = verdict(tree, fault, args.jobs)
             failed += result != "caught"

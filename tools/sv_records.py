@@ -27,7 +27,6 @@ class Packages:
         text = re.sub(r"\b\w+'\(", "(", text)
         text = re.sub(r"\$clog2\(", "clog2(", text)
         text = text.replace("/", "//")
-        text = re.sub(r"^(.+)\?(.+):(.+)$", r"(\2) if (\1) else (\3)", text.strip())
         scope = dict(self.constants, clog2=lambda n: (n - 1).bit_length())
         return eval(text, {"__builtins__": {}}, scope)  # expressions of our own sources only
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
-.PHONY: help setup lint programs render render-run test test-run tests faults bench gallery hashes clean
+.PHONY: help setup lint programs render render-run test test-run tests faults bench bench-run gallery hashes clean
 
 RENDER_SCENE ?= scenes/teapot.json
 RENDER_SIZE  ?= 320x240
@@ -8,7 +8,7 @@ UNITS        ?=
 
 help: ## list the targets
 	@echo "make TARGET:"
-	@sed -n 's/^\([a-z-]*\):.*## /  \1\t/p' tools/targets.mk | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## /  \1\t/p' tools/*.mk | expand -t 16
 	@echo "  unit/FOLDER/NAME  build and run one unit's test, for example unit/isect/ray_prim"
 
 setup: ## install the Debian packages that are missing
@@ -28,9 +28,9 @@ test: ## everything that must pass: lint, units, model, small frames; ends with 
 
 # What does not build counts as failed, so the build goes on behind an error.
 test-run:
-	@$(MAKE) --no-print-directory -k $(LINTS) programs tests || true
-	@ok=$$(find $(BUILD)/lint -name '*.ok' | wc -l); echo "  lint: $$ok of $(words $(LINTS)) modules clean"; \
-	 python3 tools/run_tests.py -j $(JOBS) --passed $$ok --failed $$(($(words $(LINTS)) - ok)) $(TEST_PROGRAMS)
+	@built=0; $(MAKE) --no-print-directory -k $(LINTS) programs tests || built=1; \
+	 ok=$$(ls $(LINTS) 2> /dev/null | wc -l); echo "  lint: $$ok of $(words $(LINTS)) modules clean"; \
+	 python3 tools/run_tests.py -j $(JOBS) --passed $$ok --failed $$(($(words $(LINTS)) - ok + built)) $(TEST_PROGRAMS)
 
 lint: $(LINTS) ## lint every module as its own top
 	@echo "lint: $(words $(LINTS)) modules clean"

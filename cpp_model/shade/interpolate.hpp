@@ -24,19 +24,34 @@ inline weights_t weights_of(bary_t u, bary_t v) {
   return {wu, wv, (std::int64_t{1} << UnitFrac) - wu - wv};
 }
 
-inline std::int64_t mix(const weights_t& w, std::int64_t a, std::int64_t b, std::int64_t c, int bits) {
-  return saturate_signed(round_shift(w.a * a + w.b * b + w.c * c, UnitFrac), bits);
+// Fraction bits of a mixed normal beyond those of the corners'.
+inline constexpr int kNormalKeep = 10;
+
+// The weighted sum with `keep` of the UnitFrac fraction bits that the weights bring.
+inline std::int64_t mix(const weights_t& w, std::int64_t a, std::int64_t b, std::int64_t c, int keep, int bits) {
+  return saturate_signed(round_shift(w.a * a + w.b * b + w.c * c, static_cast<int>(UnitFrac) - keep), bits);
+}
+
+// Not normalised, Q3.26; zero where the corners' normals cancel.
+inline span3_t mix_normal(const weights_t& w, const attr_t& attr) {
+  span3_t out;
+  out.x = mix(w, attr.na.x, attr.nb.x, attr.nc.x, kNormalKeep, span_t_bits);
+  out.y = mix(w, attr.na.y, attr.nb.y, attr.nc.y, kNormalKeep, span_t_bits);
+  out.z = mix(w, attr.na.z, attr.nb.z, attr.nc.z, kNormalKeep, span_t_bits);
+  return out;
 }
 
 inline smooth_t interpolate(const attr_t& attr, bary_t u, bary_t v) {
   const weights_t w = weights_of(u, v);
   smooth_t out;
-  out.normal.x = mix(w, attr.na.x, attr.nb.x, attr.nc.x, unit_t_bits);
-  out.normal.y = mix(w, attr.na.y, attr.nb.y, attr.nc.y, unit_t_bits);
-  out.normal.z = mix(w, attr.na.z, attr.nb.z, attr.nc.z, unit_t_bits);
-  if (out.normal == unit3_t{}) out.normal = attr.face;
-  out.s = mix(w, attr.sa, attr.sb, attr.sc, tex_t_bits);
-  out.t = mix(w, attr.ta, attr.tb, attr.tc, tex_t_bits);
+  out.normal = mix_normal(w, attr);
+  if (out.normal == span3_t{}) {
+    out.normal.x = attr.face.x << kNormalKeep;
+    out.normal.y = attr.face.y << kNormalKeep;
+    out.normal.z = attr.face.z << kNormalKeep;
+  }
+  out.s = mix(w, attr.sa, attr.sb, attr.sc, 0, tex_t_bits);
+  out.t = mix(w, attr.ta, attr.tb, attr.tc, 0, tex_t_bits);
   return out;
 }
 

@@ -27,9 +27,7 @@ inline paint_req_t shade_vectors(const hit_t& hit, const attr_t& attr, const poi
     normal = sphere_normal(hit, attr.centre, eye);
   } else {
     const smooth_t smooth = interpolate(attr, hit.u, hit.v);
-    normal.x = smooth.normal.x;
-    normal.y = smooth.normal.y;
-    normal.z = smooth.normal.z;
+    normal = smooth.normal;
     req.s = smooth.s;
     req.t = smooth.t;
   }

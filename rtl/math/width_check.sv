@@ -25,7 +25,8 @@ module width_check
   if (NormFrac != ShearFrac - 2) begin : g_norm
     $error("castray_cfg_pkg: NormFrac is %0d, it must be ShearFrac - 2", NormFrac);
   end
-  if (DirFrac != 42 || UnitFrac != 16 || RootFrac != 5 || PrimW != 21 || CoordFieldW != 26) begin : g_fixed
-    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, PrimW and CoordFieldW are fixed: 42, 16, 5, 21, 26");
+  if (DirFrac != 42 || UnitFrac != 16 || RootFrac != 5 || PrimW != 21 || CoordFieldW != 26
+      || SpanW != 29) begin : g_fixed
+    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, PrimW, CoordFieldW, SpanW are fixed: 42, 16, 5, 21, 26, 29");
   end
 endmodule

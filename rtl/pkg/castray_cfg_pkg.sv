@@ -30,8 +30,8 @@ package castray_cfg_pkg;
   localparam int unsigned UnitFrac = 16;
   // Fraction bits of the normaliser's square root. Fixed.
   localparam int unsigned RootFrac = 5;
-  // A vector before it is normalised: grid steps or a direction's.
-  localparam int unsigned SpanW = (CoordW > ShearFrac) ? CoordW + 3 : ShearFrac + 3;
+  // A vector before it is normalised: grid steps of any CoordW, or a mixed normal. Fixed.
+  localparam int unsigned SpanW = 29;
   // A primitive's number; all ones stands for "none". Fixed: with it a slot of the image is full.
   localparam int unsigned PrimW = 21;
   // A context's number: up to 64 contexts a lane.

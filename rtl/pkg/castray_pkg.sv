@@ -166,7 +166,7 @@ package castray_pkg;
 
   // A triangle's attributes at the hit.
   typedef struct packed {
-    unit3_t normal;   // not normalised
+    span3_t normal;   // not normalised, Q3.26
     tex_t   s;
     tex_t   t;
   } smooth_t;

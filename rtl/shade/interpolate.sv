@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle's normal and texture coordinates at a hit, from those of its corners:
-//   x = (wu xa + wv xb + ww xc + 1/2) floor     wu, wv = u, v to 16 bits; ww = 1 - wu - wv
-// for the three components of the normal in one cycle (Q2.16), for s and t in the next (Q11.16),
+//   x = wu xa + wv xb + ww xc       wu, wv = u, v to 16 bits; ww = 1 - wu - wv
+// for the three components of the normal in one cycle (Q3.26: where corner normals nearly cancel,
+// what is left of them needs these bits), for s and t in the next (Q11.16), both to the nearest and
 // saturated. Corner normals that cancel give the face's normal, which may be zero in turn.
 //   s0     wu, wv (round half up), the operands of this half
 //   s1     ww = 1 - wu - wv (exact; negative by at most two units where u + v rounds above one)
-//   s2..6  three sums of three products (dot3), a half added
-//   s7     floor, saturate
+//   s2..6  three sums of three products (dot3), exact
+//   s7     round, saturate
 //   out    the first half waits in a register for the second
 // 9 DSPs. One hit every two cycles, in order, latency 9 cycles from a hit's first.
 // Model: cpp_model/shade/interpolate.hpp, equal bit for bit.
@@ -27,9 +28,9 @@ module interpolate
   output smooth_t    out_o
 );
   localparam int unsigned TexW   = $bits(tex_t);
-  localparam int unsigned UnitW  = $bits(unit_t);
+  localparam int unsigned Keep   = 10;   // fraction bits of a normal beyond UnitFrac
   localparam int unsigned Stages = 8;
-  localparam int unsigned SumW   = TexW + UnitW + 2;
+  localparam int unsigned SumW   = TexW + UnitFrac + 4;   // as wide as dot3's
   // Bits by which a weight is shorter or longer than u and v.
   localparam int unsigned Drop = (BaryFrac > UnitFrac) ? BaryFrac - UnitFrac : 0;
   localparam int unsigned Gain = (UnitFrac > BaryFrac) ? UnitFrac - BaryFrac : 0;
@@ -39,7 +40,8 @@ module interpolate
   typedef logic signed [TexW-1:0]     value_t;   // a normal's component, sign extended, or s or t
   typedef logic signed [SumW-1:0]     sum_t;
 
-  // The only places where precision is dropped: Drop bits of a weight, 16 bits of a sum.
+  // The only places where precision is dropped: Drop bits of a weight, 16 of a texture coordinate's
+  // sum, 6 of a normal's.
   function automatic weight_t round_weight(bary_t x);
     bary_t kept;
     kept = (x + bary_t'(Half)) >> Drop;
@@ -48,13 +50,17 @@ module interpolate
   function automatic value_t widen(unit_t n);
     return value_t'(n);
   endfunction
-  function automatic value_t saturate(sum_t sum, logic narrow);
-    logic signed [SumW-UnitFrac-1:0] x, top;
-    x   = sum[SumW-1:UnitFrac];
-    top = narrow ? $bits(top)'((1 << (UnitW - 1)) - 1) : $bits(top)'((1 << (TexW - 1)) - 1);
+  function automatic span_t round_sum(sum_t sum, logic normal);
+    logic signed [SumW-1:0] x, top;
+    if (normal) x = (sum + sum_t'(1 << (UnitFrac - Keep - 1))) >>> (UnitFrac - Keep);
+    else x = (sum + sum_t'(1 << (UnitFrac - 1))) >>> UnitFrac;
+    top = normal ? sum_t'((1 << (SpanW - 1)) - 1) : sum_t'((1 << (TexW - 1)) - 1);
     if (x > top) x = top;
     else if (x < ~top) x = ~top;
-    return value_t'(x);
+    return span_t'(x);
+  endfunction
+  function automatic span_t widen_face(unit_t n);
+    return span_t'(n) <<< Keep;
   endfunction
 
   // ---- Two halves a hit ----
@@ -116,28 +122,30 @@ module interpolate
   end
 
   // ---- Sums ----
-  value_t mixed_q [3];
+  span_t mixed_q [3];
   for (genvar i = 0; i < 3; i++) begin : g_sum
     sum_t sum;
-    dot3 #(.AW(TexW), .BW(UnitFrac + 2), .Round(1 << (UnitFrac - 1))) u_dot (
+    dot3 #(.AW(TexW), .BW(UnitFrac + 2)) u_dot (
       .clk_i, .load_i(load[6:2]),
       .a0_i(a1_q[i]), .b0_i(wu1_q), .a1_i(b1_q[i]), .b1_i(wv1_q), .a2_i(c1_q[i]), .b2_i(ww1_q),
       .p_o(sum)
     );
     always_ff @(posedge clk_i) begin
-      if (load[7]) mixed_q[i] <= saturate(sum, !side_q[6].half);
+      if (load[7]) mixed_q[i] <= round_sum(sum, !side_q[6].half);
     end
   end
 
   // ---- The halves meet ----
-  unit3_t mixed, normal_q;
+  span3_t mixed, face, normal_q;
   logic   second;
-  assign mixed = '{x: unit_t'(mixed_q[0]), y: unit_t'(mixed_q[1]), z: unit_t'(mixed_q[2])};
+  assign mixed = '{x: mixed_q[0], y: mixed_q[1], z: mixed_q[2]};
+  assign face  = '{x: widen_face(side_q[Stages-1].face.x), y: widen_face(side_q[Stages-1].face.y),
+                   z: widen_face(side_q[Stages-1].face.z)};
   assign second      = side_q[Stages-1].half;
   assign chain_taken = !second || out_ready_i;
   assign out_valid_o = chain_valid && second;
-  assign out_o       = '{normal: normal_q, s: mixed_q[0], t: mixed_q[1]};
+  assign out_o       = '{normal: normal_q, s: tex_t'(mixed_q[0]), t: tex_t'(mixed_q[1])};
   always_ff @(posedge clk_i) begin
-    if (chain_valid && !second) normal_q <= (mixed == '0) ? side_q[Stages-1].face : mixed;
+    if (chain_valid && !second) normal_q <= (mixed == '0) ? face : mixed;
   end
 endmodule

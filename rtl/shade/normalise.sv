@@ -35,8 +35,8 @@ module normalise
 );
   // At least the vectors that s4, s5, cordic_sqrt and div_pipe hold, 26: so it is never full.
   localparam int unsigned QueueDepth = 32;
-  if (SpanW < 18 || SpanW > 32 || UnitFrac != 16 || RootFrac != 5) begin : g_check
-    $error("normalise: SpanW must be 18 to 32, UnitFrac 16 and RootFrac 5");
+  if (SpanW != 29 || UnitFrac != 16 || RootFrac != 5) begin : g_check
+    $error("normalise: made for SpanW 29, UnitFrac 16 and RootFrac 5");
   end
 
   typedef logic [SpanW-1:0]          magnitude_t;

@@ -84,9 +84,6 @@ module shade
   );
 
   // ---- Two vectors a hit ----
-  function automatic span_t widen_unit(unit_t x);
-    return span_t'(x);
-  endfunction
   function automatic span_t widen_shear(shear_t x);
     return span_t'(x);
   endfunction
@@ -100,8 +97,7 @@ module shade
     vector.normal = second_q;
     if (!second_q) vector.v = direction;
     else if (ray.kind == KindSphere) vector.v = from_centre;
-    else vector.v = '{x: widen_unit(smooth.normal.x), y: widen_unit(smooth.normal.y),
-                      z: widen_unit(smooth.normal.z)};
+    else vector.v = smooth.normal;
   end
   assign normal_valid = rays_valid && (ray.kind == KindSphere ? sphere_valid : tri_valid);
   assign vector_valid = second_q ? normal_valid && paints_ready : rays_valid;

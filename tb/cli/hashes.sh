@@ -19,7 +19,10 @@ if [[ ${1:-} == --write ]]; then
   exit 0
 fi
 (cd "$work" && sha256sum --quiet -c) < scenes/frames.sha256
-[[ $(wc -l < scenes/frames.sha256) -eq $(($(ls scenes/*.json | wc -l) * 2)) ]]
+if [[ $(wc -l < scenes/frames.sha256) -ne $(($(ls scenes/*.json | wc -l) * 2)) ]]; then
+  echo "scenes/frames.sha256 does not list every scene: make hashes"
+  exit 1
+fi
 for scene in cube spheres; do render rtl "scenes/$scene.json"; done
 (cd "$work" && sha256sum --quiet -c) < scenes/frames.sha256
 echo "every frame is what it was"

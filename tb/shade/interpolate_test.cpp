@@ -43,6 +43,13 @@ TEST_P(Interpolate, MatchesModel) {
 INSTANTIATE_TEST_SUITE_P(Stalls, Interpolate, testing::ValuesIn(kStallPatterns),
                          [](const auto& info) { return std::string(info.param.name); });
 
+// A unit vector as a mixed normal has it.
+span3_t spread(const unit3_t& n) {
+  span3_t out;
+  out.x = n.x << kNormalKeep, out.y = n.y << kNormalKeep, out.z = n.z << kNormalKeep;
+  return out;
+}
+
 TEST_F(Interpolate, GivesEachCornersOwnValues) {
   Stimulus random(2);
   for (int i = 0; i < 50; ++i) {
@@ -50,13 +57,13 @@ TEST_F(Interpolate, GivesEachCornersOwnValues) {
     r.attr.na.x |= 1, r.attr.nb.x |= 1, r.attr.nc.x |= 1;  // not zero
     r.hit.u = kOne, r.hit.v = 0;
     smooth_t out = one(r);
-    EXPECT_TRUE(out.normal == r.attr.na && out.s == r.attr.sa && out.t == r.attr.ta);
+    EXPECT_TRUE(out.normal == spread(r.attr.na) && out.s == r.attr.sa && out.t == r.attr.ta);
     r.hit.u = 0, r.hit.v = kOne;
     out = one(r);
-    EXPECT_TRUE(out.normal == r.attr.nb && out.s == r.attr.sb && out.t == r.attr.tb);
+    EXPECT_TRUE(out.normal == spread(r.attr.nb) && out.s == r.attr.sb && out.t == r.attr.tb);
     r.hit.u = 0, r.hit.v = 0;
     out = one(r);
-    EXPECT_TRUE(out.normal == r.attr.nc && out.s == r.attr.sc && out.t == r.attr.tc);
+    EXPECT_TRUE(out.normal == spread(r.attr.nc) && out.s == r.attr.sc && out.t == r.attr.tc);
   }
 }
 
@@ -65,11 +72,20 @@ TEST_F(Interpolate, RoundsTiesUp) {
   r.attr.na.x = 1, r.attr.na.y = -1, r.attr.na.z = 3;
   r.attr.sa = 5, r.attr.ta = -5;
   const smooth_t out = one(r);
+  EXPECT_EQ(out.normal.x, 512);  // a normal keeps ten bits more
+  EXPECT_EQ(out.normal.y, -512);
+  EXPECT_EQ(out.normal.z, 1536);
+  EXPECT_EQ(out.s, 3);          // 2.5
+  EXPECT_EQ(out.t, -2);         // -2.5
+}
+
+TEST_F(Interpolate, RoundsNormalsUpAtTheirTie) {
+  shade_req_t r = at(32 << 8, 0);  // a weight of 2^-11: half of a last bit
+  r.attr.na.x = 1, r.attr.na.y = -1, r.attr.na.z = 3;
+  const smooth_t out = one(r);
   EXPECT_EQ(out.normal.x, 1);   // 0.5
   EXPECT_EQ(out.normal.y, 0);   // -0.5
   EXPECT_EQ(out.normal.z, 2);   // 1.5
-  EXPECT_EQ(out.s, 3);          // 2.5
-  EXPECT_EQ(out.t, -2);         // -2.5
 }
 
 TEST_F(Interpolate, RoundsWeightsUpAtTheirTie) {
@@ -100,9 +116,9 @@ TEST_F(Interpolate, SaturatesBothWays) {
   r.attr.sa = r.attr.sb = s, r.attr.sc = -s - 1;
   r.attr.ta = r.attr.tb = -s - 1, r.attr.tc = s;
   const smooth_t out = one(r);
-  EXPECT_EQ(out.normal.x, n);
-  EXPECT_EQ(out.normal.y, -n - 1);
-  EXPECT_EQ(out.normal.z, n);
+  EXPECT_EQ(out.normal.x, (1 << 28) - 1);
+  EXPECT_EQ(out.normal.y, -(1 << 28));
+  EXPECT_EQ(out.normal.z, 1 << 27);  // nothing saturates
   EXPECT_EQ(out.s, s);
   EXPECT_EQ(out.t, -s - 1);
 }
@@ -111,21 +127,22 @@ TEST_F(Interpolate, TakesTheFacesNormalWhereTheCornersCancel) {
   shade_req_t r = at(kOne / 2, kOne / 2);
   r.attr.na.x = 65536, r.attr.nb.x = -65536;
   r.attr.face.x = 1, r.attr.face.y = -2, r.attr.face.z = 3;
-  EXPECT_TRUE(one(r).normal == r.attr.face);
+  EXPECT_TRUE(one(r).normal == spread(r.attr.face));
   // One component that does not cancel is a normal.
   for (int i = 0; i < 3; ++i) {
     shade_req_t kept = r;
     (i == 0 ? kept.attr.na.x : i == 1 ? kept.attr.na.y : kept.attr.na.z) += 2;
-    EXPECT_FALSE(one(kept).normal == r.attr.face) << i;
+    EXPECT_FALSE(one(kept).normal == spread(r.attr.face)) << i;
   }
-  // Half a unit rounds to one; a little less is zero.
+  // Half a last bit rounds to one; a little less is zero.
   r.attr.na.x = 1, r.attr.nb.x = 0;
+  r.hit.u = 32 << 8;
   EXPECT_EQ(one(r).normal.x, 1);
-  r.hit.u = kOne / 2 - 256;
-  EXPECT_TRUE(one(r).normal == r.attr.face);
+  r.hit.u = 31 << 8;
+  EXPECT_TRUE(one(r).normal == spread(r.attr.face));
   // Nothing at all: zero, which normalise passes on.
   r.attr.na = r.attr.nb = r.attr.nc = r.attr.face = unit3_t{};
-  EXPECT_TRUE(one(r).normal == unit3_t{});
+  EXPECT_TRUE(one(r).normal == span3_t{});
 }
 
 TEST_F(Interpolate, TakesAHitEveryTwoCycles) {
