@@ -17,6 +17,7 @@ rtl/math/div_pipe.sv
 rtl/math/mul27.sv
 rtl/math/mul27_parts.sv
 rtl/math/root_seq.sv
+rtl/math/width_check.sv
 rtl/camera/dominant_axis.sv
 rtl/camera/frame_setup.sv
 rtl/camera/ray_component.sv

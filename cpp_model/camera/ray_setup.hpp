@@ -6,7 +6,7 @@
 
 namespace castray {
 
-// num / den in Q1.26 below one, operands cut to ShearDivW bits. Needs |num| <= |den|, den != 0.
+// num / den below one, ShearFrac bits, operands cut to ShearDivW bits. Needs |num| <= |den|, den != 0.
 inline std::int64_t shear_quotient(std::int64_t num, std::int64_t den) {
   const auto magnitude = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
   const int shift = msb(magnitude(den)) - static_cast<int>(ShearDivW - 1);

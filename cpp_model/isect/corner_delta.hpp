@@ -26,10 +26,15 @@ inline delta3_t unpermute(const delta3_t& v, axis_t axis) {
   }
 }
 
+// One axis: exact below 2^CoordW; of what a wider field of a record may hold, modulo 2^(CoordW+1).
+inline std::int64_t delta_of(coord_t p, coord_t org) {
+  const std::int64_t d = static_cast<std::int64_t>(p - org);
+  if constexpr (CoordW < CoordFieldW) return wrap_signed(d, CoordW + 1);
+  return d;
+}
+
 inline delta3_t corner_delta(const point_t& p, const point_t& org, axis_t axis) {
-  return permute({static_cast<std::int64_t>(p.x - org.x), static_cast<std::int64_t>(p.y - org.y),
-                  static_cast<std::int64_t>(p.z - org.z)},
-                 axis);
+  return permute({delta_of(p.x, org.x), delta_of(p.y, org.y), delta_of(p.z, org.z)}, axis);
 }
 
 }  // namespace castray

@@ -23,14 +23,16 @@ inline quotient_job_t hit_sphere(const cand_t& cand, const hit_ray_t& ray) {
   const std::int64_t root = static_cast<std::int64_t>(isqrt(cand.det << 5));
   const std::int64_t b = ray.neg ? -cand.az : cand.az;
   const int half = ray.norm2 >> (NormFrac + 1) ? 0 : 1;  // norm2 below two
+  const int gain = HitDivW - 2 - BaryFrac;                // of the quotient of aligned operands
   const auto scale = [&](std::int64_t x, int shift) {
-    return x < 0 ? -(std::int64_t{1} << (shift + half)) : std::int64_t{1} << (shift + half);
+    const std::int64_t power = std::int64_t{1} << (shift + half + gain);
+    return x < 0 ? -power : power;
   };
   const small_t near = small_of(b - root), far = small_of(b + root);
   quotient_job_t job;
   job.num0 = near.value;
   job.num1 = far.value;
-  job.den = ray.norm2 << half;
+  job.den = ray.norm2 << half << HitDivW >> (NormFrac + 2);
   job.scale0 = scale(b - root, near.shift);
   job.scale1 = scale(b + root, far.shift);
   return job;

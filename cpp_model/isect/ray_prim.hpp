@@ -9,7 +9,7 @@
 namespace castray {
 
 // True, with `out` filled, if the ray's line meets the primitive; whether in front of the origin
-// is for hit_unit to say. An empty slot, a sphere of radius 0 or of 2^25 and more: never.
+// is for hit_unit to say. An empty slot, a sphere of radius 0 or of 2^(CoordW-1) and more: never.
 inline bool ray_prim(const test_ray_t& ray, const prim_slot_t& prim, ctx_t ctx, cand_t& out) {
   if (prim.number == NoPrim) return false;
   if (prim.kind == KindTriangle) {

@@ -35,7 +35,7 @@ point_t grid_point(const Grid& grid, const Vec3& p) {
   return point;
 }
 
-// No area on the grid, exactly: differences have 27 bits, products 54.
+// No area on the grid, exactly: differences have at most 27 bits, products 54.
 bool degenerate(const prim_slot_t& slot) {
   const auto d = [](std::uint64_t a, std::uint64_t b) { return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b); };
   const std::int64_t ux = d(slot.b.x, slot.a.x), uy = d(slot.b.y, slot.a.y), uz = d(slot.b.z, slot.a.z);

@@ -18,8 +18,9 @@ struct weights_t {
   std::int64_t a = 0, b = 0, c = 0;
 };
 inline weights_t weights_of(bary_t u, bary_t v) {
-  const std::int64_t wu = round_shift(static_cast<std::int64_t>(u), BaryFrac - UnitFrac);
-  const std::int64_t wv = round_shift(static_cast<std::int64_t>(v), BaryFrac - UnitFrac);
+  constexpr int drop = BaryFrac > UnitFrac ? BaryFrac - UnitFrac : 0, gain = BaryFrac > UnitFrac ? 0 : UnitFrac - BaryFrac;
+  const auto weight = [](bary_t x) { return round_shift(static_cast<std::int64_t>(x), drop) << gain; };
+  const std::int64_t wu = weight(u), wv = weight(v);
   return {wu, wv, (std::int64_t{1} << UnitFrac) - wu - wv};
 }
 

@@ -7,7 +7,7 @@
 
 namespace castray {
 
-// Components of up to 29 bits; zero stays zero.
+// Components of up to SpanW bits; zero stays zero.
 inline unit3_t normalise(std::int64_t x, std::int64_t y, std::int64_t z) {
   const auto magnitude = [](std::int64_t v) { return static_cast<std::uint64_t>(v < 0 ? -v : v); };
   const int shift = msb(magnitude(x) | magnitude(y) | magnitude(z)) - static_cast<int>(UnitFrac);

@@ -113,7 +113,8 @@ module frame_setup
 
   assign done_o   = done_q;
   assign camera_o = '{
-    eye: '{x: record_i.eye_x[CoordW-1:0], y: record_i.eye_y[CoordW-1:0], z: record_i.eye_z[CoordW-1:0]},
+    eye: '{x: coord_t'(record_i.eye_x[CoordW-1:0]), y: coord_t'(record_i.eye_y[CoordW-1:0]),
+           z: coord_t'(record_i.eye_z[CoordW-1:0])},
     right: right_q, up: up_q, ahead: ahead_q,
     width: record_i.width[12:0], height: record_i.height[12:0]
   };

@@ -2,12 +2,12 @@
 // From a direction to the ray that it defines, once and for all: the line org + z (sx, sy, 1) on
 // axes permuted so that the dominant one comes last.
 //   dominant_axis   axis, neg, num0, num1, den             ShearDivW bits
-//   div_pipe (two)  q = round(num / den)                   Q1.26, halves up
-//   s0              |S| = min(q, 1 - 2^-26); sx, sy with their signs
+//   div_pipe (two)  q = round(num / den)                   ShearFrac bits, halves up
+//   s0              |S| = min(q, 1 - 2^-ShearFrac); sx, sy with their signs
 //   s1-s3           sx^2, sy^2                             exact
-//   s4              norm2 = round(1 + sx^2 + sy^2)         Q2.24, halves up
+//   s4              norm2 = round(1 + sx^2 + sy^2)         NormFrac bits, halves up
 // A zero direction: valid 0, sx = sy = 0, norm2 = 1, axis 0, neg 0.
-// One ray a cycle, in order; 4 + 29 + 5 stages. Four multipliers of 27x18.
+// One ray a cycle, in order; 4 + (ShearFrac + 3) + 5 stages. Four multipliers of 27x18.
 // Model: cpp_model/camera/ray_setup.hpp, equal bit for bit.
 module ray_setup
   import castray_cfg_pkg::*;
@@ -102,9 +102,10 @@ module ray_setup
   shear_t  sx_q [5], sy_q [5];
   rest_t   rest_q [5];
   norm2_t  norm2_q;
-  square_t xx, yy;
-  mul27 u_xx (.clk_i, .en_i(load[3:1]), .a_i(sx_q[0]), .b_i(sx_q[0]), .p_o(xx));
-  mul27 u_yy (.clk_i, .en_i(load[3:1]), .a_i(sy_q[0]), .b_i(sy_q[0]), .p_o(yy));
+  logic signed [53:0] xx, yy;
+  width_check u_widths ();
+  mul27 u_xx (.clk_i, .en_i(load[3:1]), .a_i(27'(sx_q[0])), .b_i(27'(sx_q[0])), .p_o(xx));
+  mul27 u_yy (.clk_i, .en_i(load[3:1]), .a_i(27'(sy_q[0])), .b_i(27'(sy_q[0])), .p_o(yy));
 
   always_ff @(posedge clk_i) begin
     if (load[0]) begin
@@ -119,7 +120,7 @@ module ray_setup
         rest_q[i] <= rest_q[i-1];
       end
     end
-    if (load[4]) norm2_q <= round_norm(xx, yy);
+    if (load[4]) norm2_q <= round_norm(square_t'(xx), square_t'(yy));
   end
 
   assign out_o = '{

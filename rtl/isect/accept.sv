@@ -8,34 +8,36 @@
 // +z, det < 0 for one along -z; others are dropped if cull_i.
 // One triangle a cycle, two cycles, never stalls; only an accepted one moves further.
 // Model: cpp_model/isect/accept.hpp, equal bit for bit.
-module accept (
+module accept
+  import castray_pkg::*;
+(
   input  logic               clk_i,
   input  logic               rst_ni,
 
   input  logic               valid_i,
   input  logic               neg_i,
   input  logic               cull_i,
-  input  logic signed [54:0] u_i,
-  input  logic signed [54:0] v_i,
-  input  logic signed [54:0] w_i,
+  input  edge_fn_t           u_i,
+  input  edge_fn_t           v_i,
+  input  edge_fn_t           w_i,
   input  logic               u_neg_i,
   input  logic               v_neg_i,
   input  logic               w_neg_i,
   input  logic               point_i,
 
   output logic               valid_o,
-  output logic        [54:0] u_o,
-  output logic        [54:0] v_o,
-  output logic        [55:0] det_o
+  output area_t              u_o,
+  output area_t              v_o,
+  output det_t               det_o
 );
-  logic        valid1_q;
-  logic [54:0] u1_q, v1_q, w1_q;
-  logic        accepted;
+  logic  valid1_q;
+  area_t u1_q, v1_q, w1_q;
+  logic  accepted;
 
   assign accepted = valid_i && (u_neg_i == v_neg_i) && (v_neg_i == w_neg_i) && !point_i
                     && !(cull_i && (u_neg_i != neg_i));
 
-  function automatic logic [54:0] magnitude(logic signed [54:0] x, logic negative);
+  function automatic area_t magnitude(edge_fn_t x, logic negative);
     return negative ? -x : x;
   endfunction
 
@@ -58,7 +60,7 @@ module accept (
     if (valid1_q) begin
       u_o   <= u1_q;
       v_o   <= v1_q;
-      det_o <= 56'(u1_q) + 56'(v1_q) + 56'(w1_q);
+      det_o <= det_t'(u1_q) + det_t'(v1_q) + det_t'(w1_q);
     end
   end
 endmodule

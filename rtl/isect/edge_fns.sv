@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The three edge functions of a sheared triangle, and on which side of each edge the ray lies:
 //   U = Cx By - Cy Bx    V = Ax Cy - Ay Cx    W = Bx Ay - By Ax     units of four square steps
-//   s1-s3  the six products   exact, 54 bits     12 DSPs
-//   s4     U, V, W            exact, 55 bits; their signs
+//   s1-s3  the six products   exact              12 DSPs
+//   s4     U, V, W            exact; their signs
 // The sign of a zero is decided by moving the ray by (e, e^2): that of U is then the sign of
 // Cy - By, or, where that is zero too, of Bx - Cx: corners are ranked by y, then by descending x,
 // and U's sign says whether C ranks above B. An edge so belongs to exactly one of its triangles.
@@ -13,7 +13,7 @@
 // p0..p5, the products of s3, are X X, N R, X Sx, Y Sx, Y Y, X Sy: see sphere_disc.
 // Model: cpp_model/isect/edge_fns.hpp, equal bit for bit.
 module edge_fns
-  import castray_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*;
 (
   input  logic               clk_i,
 
@@ -38,20 +38,23 @@ module edge_fns
   output logic signed [53:0] p4_o,
   output logic signed [53:0] p5_o,
 
-  output logic signed [54:0] u_o,
-  output logic signed [54:0] v_o,
-  output logic signed [54:0] w_o,
+  output edge_fn_t           u_o,
+  output edge_fn_t           v_o,
+  output edge_fn_t           w_o,
   output logic               u_neg_o,
   output logic               v_neg_o,
   output logic               w_neg_o,
   output logic               point_o
 );
-  mul27 u_p0 (.clk_i, .en_i, .a_i(sphere_i ? ax_i : cx_i), .b_i(sphere_i ? ax_i : by_i), .p_o(p0_o));
-  mul27 u_p1 (.clk_i, .en_i, .a_i(sphere_i ? reach_i : cy_i), .b_i(sphere_i ? radius_i : bx_i), .p_o(p1_o));
-  mul27 u_p2 (.clk_i, .en_i, .a_i(ax_i), .b_i(sphere_i ? sx_i : cy_i), .p_o(p2_o));
-  mul27 u_p3 (.clk_i, .en_i, .a_i(ay_i), .b_i(sphere_i ? sx_i : cx_i), .p_o(p3_o));
-  mul27 u_p4 (.clk_i, .en_i, .a_i(ay_i), .b_i(sphere_i ? ay_i : bx_i), .p_o(p4_o));
-  mul27 u_p5 (.clk_i, .en_i, .a_i(ax_i), .b_i(sphere_i ? sy_i : by_i), .p_o(p5_o));
+  mul27 u_p0 (.clk_i, .en_i, .a_i(sphere_i ? 27'(ax_i) : 27'(cx_i)), .b_i(sphere_i ? 27'(ax_i) : 27'(by_i)), .p_o(p0_o));
+  mul27 u_p1 (.clk_i, .en_i, .a_i(sphere_i ? 27'(reach_i) : 27'(cy_i)), .b_i(sphere_i ? 27'(radius_i) : 27'(bx_i)), .p_o(p1_o));
+  mul27 u_p2 (.clk_i, .en_i, .a_i(27'(ax_i)), .b_i(sphere_i ? 27'(sx_i) : 27'(cy_i)), .p_o(p2_o));
+  mul27 u_p3 (.clk_i, .en_i, .a_i(27'(ay_i)), .b_i(sphere_i ? 27'(sx_i) : 27'(cx_i)), .p_o(p3_o));
+  mul27 u_p4 (.clk_i, .en_i, .a_i(27'(ay_i)), .b_i(sphere_i ? 27'(ay_i) : 27'(bx_i)), .p_o(p4_o));
+  mul27 u_p5 (.clk_i, .en_i, .a_i(27'(ax_i)), .b_i(sphere_i ? 27'(sy_i) : 27'(by_i)), .p_o(p5_o));
+
+  // A product of two sheared coordinates; a sphere's others are up to 54 bits.
+  typedef logic signed [2*CoordW+1:0] product_t;
 
   // Does the first corner rank above the second?
   function automatic logic above(sheared_t x0, sheared_t y0, sheared_t x1, sheared_t y1);
@@ -60,7 +63,7 @@ module edge_fns
   endfunction
 
   // Is p - q negative, a zero taken as the sign says?
-  function automatic logic negative(logic signed [53:0] p, logic signed [53:0] q, logic up);
+  function automatic logic negative(product_t p, product_t q, logic up);
     return up ? p < q : p <= q;
   endfunction
 
@@ -83,12 +86,12 @@ module edge_fns
       w_up3_q <= w_up2_q;
     end
     if (fns_en_i) begin
-      u_o     <= 55'(p0_o) - 55'(p1_o);
-      v_o     <= 55'(p2_o) - 55'(p3_o);
-      w_o     <= 55'(p4_o) - 55'(p5_o);
-      u_neg_o <= negative(p0_o, p1_o, u_up3_q);
-      v_neg_o <= negative(p2_o, p3_o, v_up3_q);
-      w_neg_o <= negative(p4_o, p5_o, w_up3_q);
+      u_o     <= edge_fn_t'(p0_o) - edge_fn_t'(p1_o);
+      v_o     <= edge_fn_t'(p2_o) - edge_fn_t'(p3_o);
+      w_o     <= edge_fn_t'(p4_o) - edge_fn_t'(p5_o);
+      u_neg_o <= negative(product_t'(p0_o), product_t'(p1_o), u_up3_q);
+      v_neg_o <= negative(product_t'(p2_o), product_t'(p3_o), v_up3_q);
+      w_neg_o <= negative(product_t'(p4_o), product_t'(p5_o), w_up3_q);
       point_o <= !(u_up3_q || v_up3_q || w_up3_q);
     end
   end

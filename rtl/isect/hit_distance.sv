@@ -97,10 +97,12 @@ module hit_distance
   // ---- s1 to s3 ----
   logic signed [53:0] p, p0_q;
   scales_t            scales;
+  delta_t             scale;
   assign scales = scales_q[q_place_q];
+  assign scale  = q_last_i ? scales.scale1 : scales.scale0;
 
   mul27 u_part (.clk_i, .en_i({valid_q[2:1], q_valid_i}),
-                .a_i(q_last_i ? scales.scale1 : scales.scale0), .b_i({2'b0, q_i}), .p_o(p));
+                .a_i(27'(scale)), .b_i(27'({1'b0, q_i})), .p_o(p));
 
   always_ff @(posedge clk_i) begin
     if (q_valid_i && !q_last_i) u_q[q_place_q] <= q_i;
@@ -111,28 +113,31 @@ module hit_distance
   end
 
   // ---- s4, s5: a triangle's sum in 1/16 steps, a sphere's parts in quarter steps; distances ----
-  // The only place where precision is lost: to 1/16 steps.
-  function automatic logic signed [34:0] round_parts(logic signed [53:0] a, logic signed [53:0] b);
+  typedef logic signed [CoordW+8:0]  part_t;
+  typedef logic signed [CoordW+11:0] wide_t;
+
+  // The only place where precision is lost: to the last bit of a distance.
+  function automatic part_t round_parts(logic signed [53:0] a, logic signed [53:0] b);
     logic signed [54:0] sum;
     sum = 55'(a) + 55'(b) + (55'sd1 <<< (BaryFrac - TFrac - 1));
-    return 35'(sum >>> (BaryFrac - TFrac));
+    return part_t'(sum >>> (BaryFrac - TFrac));
   endfunction
-  function automatic t_t clamp(logic signed [37:0] t);
-    if (t > 38'(TMax)) return TMax;
-    if (t < -38'(TMax)) return -TMax;
+  function automatic t_t clamp(wide_t t);
+    if (t > wide_t'(TMax)) return TMax;
+    if (t < -wide_t'(TMax)) return -TMax;
     return t_t'(t);
   endfunction
   // A triangle's part is along the dominant axis, a sphere's already along the ray.
-  function automatic t_t distance(logic kind, logic neg, delta_t cz, logic signed [34:0] part);
-    logic signed [37:0] base, wide;
-    base = 38'(cz) <<< TFrac;
-    wide = (kind == KindSphere) ? 38'(part) <<< (TFrac - 2) : neg ? -38'(part) : 38'(part);
+  function automatic t_t distance(logic kind, logic neg, delta_t cz, part_t part);
+    wide_t base, wide;
+    base = wide_t'(cz) <<< TFrac;
+    wide = (kind == KindSphere) ? wide_t'(part) <<< (TFrac - 2) : neg ? -wide_t'(part) : wide_t'(part);
     return clamp((neg ? -base : base) + wide);
   endfunction
 
   logic               kind4_q, neg4_q;
   delta_t             cz4_q;
-  logic signed [34:0] part0_q, part1_q;
+  part_t              part0_q, part1_q;
   t_t                 t0_q, t1_q;
 
   always_ff @(posedge clk_i) begin
@@ -140,8 +145,8 @@ module hit_distance
       kind4_q <= kept_q[sum_place_q].kind;
       neg4_q  <= kept_q[sum_place_q].neg;
       cz4_q   <= cz_q[sum_place_q];
-      part0_q <= (kept_q[sum_place_q].kind == KindSphere) ? 35'(p0_q) : round_parts(p0_q, p);
-      part1_q <= 35'(p);
+      part0_q <= (kept_q[sum_place_q].kind == KindSphere) ? part_t'(p0_q) : round_parts(p0_q, p);
+      part1_q <= part_t'(p);
     end
   end
   always_ff @(posedge clk_i) begin

@@ -5,7 +5,7 @@
 // on permuted axes, then turned into the ray's direction.
 //   front      one candidate: its shift (hit_norm, 2 cycles) or its root (hit_sphere)
 //   issue      two cycles: the first division, then the second
-//   div_pipe   26-bit operands, 24 fraction bits, nearest
+//   div_pipe   operands of HitDivW bits, BaryFrac fraction bits, nearest
 //   tail       hit_distance
 // One triangle every two cycles; a sphere blocks the front while its root is taken. The tail never
 // stalls: a result is always taken. retire_o: a candidate is finished, whether emitted or not.
@@ -29,11 +29,13 @@ module hit_unit
   localparam int unsigned DivBitsPerStage = 2;
   // Candidates between issue and result: one every two cycles, through the divider (QFrac + 2 bits,
   // and its rounding), the tail's six stages and one to spare.
-  localparam int unsigned InFlight = ((BaryFrac + 2) / DivBitsPerStage + 1 + 6) / 2 + 2;
+  localparam int unsigned InFlight = ((BaryFrac + 3) / DivBitsPerStage + 1 + 6) / 2 + 2;
   localparam int unsigned Places   = 16;
   if (InFlight > Places) begin : g_check
     $error("hit_unit: more candidates in flight than places");
   end
+
+  width_check u_widths ();
 
   // ---- Front: one candidate ----
   typedef enum logic [1:0] {Empty, Start, Ready} step_t;
@@ -77,14 +79,14 @@ module hit_unit
   hit_sphere u_sphere (
     .clk_i, .rst_ni,
     .start_i(step_q == Start && is_sphere), .ready_o(sphere_ready),
-    .disc_i(cand_q.det[50:0]), .towards_i(cand_q.az), .neg_i(ray_q.neg), .norm2_i(ray_q.norm2),
+    .disc_i(cand_q.det[2*CoordW-2:0]), .towards_i(cand_q.az), .neg_i(ray_q.neg), .norm2_i(ray_q.norm2),
     .done_o(sphere_done), .take_i(load),
     .num0_o(sphere_num0), .num1_o(sphere_num1), .den_o(sphere_den),
     .scale0_o(sphere_scale0), .scale1_o(sphere_scale1)
   );
 
   // ---- Issue: the candidate's two divisions ----
-  function automatic delta_t minus(logic signed [31:0] a, delta_t b);
+  function automatic delta_t minus(towards_t a, delta_t b);
     return delta_t'(a) - b;  // both corners lie on the grid: it fits
   endfunction
 
@@ -117,7 +119,7 @@ module hit_unit
       job_cz_q     <= cand_q.cz;
       job_ray_q    <= ray_q;
       scale0_q     <= is_sphere ? sphere_scale0 : minus(cand_q.az, cand_q.cz);
-      scale1_q     <= is_sphere ? sphere_scale1 : minus(32'(cand_q.bz), cand_q.cz);
+      scale1_q     <= is_sphere ? sphere_scale1 : minus(towards_t'(cand_q.bz), cand_q.cz);
     end
   end
 

@@ -10,7 +10,7 @@
 //   s10     wait for the spheres                      disc, accepted if not negative
 //   s11     out
 // One test a cycle, 11 cycles from in_valid_i to out_valid_o or retire_o (never both), never
-// stalls. An empty slot (NoPrim), and a sphere of radius 0 or of 2^25 and more, is never accepted.
+// stalls. An empty slot (NoPrim), and a sphere of radius 0 or of 2^(CoordW-1) and more, is never accepted.
 // 28 DSPs. What only an accepted test needs again waits in small memories, not in every stage.
 // Model: cpp_model/isect/ray_prim.hpp, equal bit for bit.
 module ray_prim
@@ -28,6 +28,7 @@ module ray_prim
   output cand_t      out_o,
   output logic       retire_o
 );
+  width_check u_widths ();
   localparam int unsigned Stages = 11;
 
   // ---- Control: bit k of each vector belongs to the item that enters stage k + 1 ----
@@ -43,7 +44,7 @@ module ray_prim
   assign is_sphere = in_prim_i.kind == KindSphere;
   assign test      = {test_q, in_valid_i};
   assign live      = {live_q, in_valid_i && in_prim_i.number != NoPrim
-                              && !(is_sphere && (radius == '0 || radius[CoordW-1]))};
+                              && !(is_sphere && (radius == '0 || (radius >> (CoordW - 1)) != '0))};
   assign sphere    = {sphere_q, is_sphere};
   assign neg       = {neg_q, in_ray_i.neg};
   assign cull      = {cull_q, in_ray_i.cull};
@@ -104,7 +105,10 @@ module ray_prim
 
   place_t       place_q;
   kept_t        kept_q [Places];
-  logic [53:0]  kept_z_q [Places];       // a triangle's Az, Bz
+  typedef struct packed {
+    delta_t az, bz;
+  } kept_z_t;
+  kept_z_t      kept_z_q [Places];       // of a triangle
   kept_shear_t  kept_shear_q [Places];   // of a sphere
   coord_t       kept_radius_q [Places];
 
@@ -115,7 +119,7 @@ module ray_prim
   always_ff @(posedge clk_i) begin
     if (live[0]) begin
       kept_q[place_q]   <= '{ctx: in_ctx_i, number: in_prim_i.number, cz: is_sphere ? az : cz};
-      kept_z_q[place_q] <= {az, bz};
+      kept_z_q[place_q] <= '{az: az, bz: bz};
     end
     if (live[0] && sphere[0]) begin
       kept_shear_q[place_q]  <= '{sx: sx, sy: sy};
@@ -138,7 +142,7 @@ module ray_prim
 
   // ---- s4 to s7: edge functions ----
   logic signed [53:0] p0, p1, p2, p3, p4, p5;
-  logic signed [54:0] u7, v7, w7;
+  edge_fn_t           u7, v7, w7;
   logic               u_neg7, v_neg7, w_neg7, point7;
   logic               triangle7_q, neg7_q, cull7_q;
 
@@ -160,10 +164,10 @@ module ray_prim
   end
 
   // ---- s8 to s10 ----
-  logic               triangle9, triangle10_q, sphere10;
-  logic        [54:0] u9, v9, u10_q, v10_q;
-  logic        [55:0] det9, det10_q, disc10;
-  logic signed [31:0] towards10;
+  logic     triangle9, triangle10_q, sphere10;
+  area_t    u9, v9, u10_q, v10_q;
+  det_t     det9, det10_q, disc10;
+  towards_t towards10;
 
   accept u_accept (
     .clk_i, .rst_ni, .valid_i(triangle7_q), .neg_i(neg7_q), .cull_i(cull7_q),
@@ -191,9 +195,12 @@ module ray_prim
   );
 
   // ---- s11 ----
-  logic        accepted10;
-  kept_t       kept10;
-  logic [53:0] kept_z10;
+  logic     accepted10;
+  kept_t    kept10;
+  kept_z_t  kept_z10;
+  delta_t   az10, bz10;
+  assign az10 = kept_z10.az;
+  assign bz10 = kept_z10.bz;
   assign accepted10 = triangle10_q || sphere10;
   assign kept10     = kept_q[place_q - place_t'(Stages - 1)];
   assign kept_z10   = kept_z_q[place_q - place_t'(Stages - 1)];
@@ -215,8 +222,8 @@ module ray_prim
       out_o.u      <= sphere10 ? '0 : u10_q;
       out_o.v      <= sphere10 ? '0 : v10_q;
       out_o.det    <= sphere10 ? disc10 : det10_q;
-      out_o.az     <= sphere10 ? towards10 : 32'($signed(kept_z10[53:27]));
-      out_o.bz     <= sphere10 ? '0 : $signed(kept_z10[26:0]);
+      out_o.az     <= sphere10 ? towards10 : towards_t'(az10);
+      out_o.bz     <= sphere10 ? '0 : bz10;
       out_o.cz     <= kept10.cz;
     end
   end

@@ -2,7 +2,7 @@
 // A corner moved along the ray onto the plane z = 0, in units of two steps:
 //   x' = (x - sx z) / 2,  y' = (y - sy z) / 2      to the nearest integer, halves upwards
 //   s1, s2  the parts of sx z, sy z    exact        4 DSPs
-//   s3      x', y'                     27 bits: |x - sx z| < 2^27 steps
+//   s3      x', y'                     CoordW + 1 bits: |x - sx z| < 2^(CoordW+1) steps
 // One corner a cycle, three cycles, never stalls; en_i[k]: stage k + 1 takes an item.
 // Model: cpp_model/isect/shear.hpp, equal bit for bit.
 module shear
@@ -19,15 +19,15 @@ module shear
   output sheared_t   x_o,
   output sheared_t   y_o
 );
-  if (CoordW != 26 || ShearFrac != 26) begin : g_check
-    $error("shear: the multipliers are made for 26-bit coordinates and shears");
+  if (CoordW > 26 || ShearFrac > 26) begin : g_check
+    $error("shear: CoordW and ShearFrac must be at most 26, the multipliers' operands");
   end
 
   delta_t             x1_q, x2_q, y1_q, y2_q;
   logic signed [63:0] low_x, high_x, low_y, high_y;
 
-  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(z_i), .b_i(sx_i), .low_o(low_x), .high_o(high_x));
-  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(z_i), .b_i(sy_i), .low_o(low_y), .high_o(high_y));
+  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(27'(z_i)), .b_i(27'(sx_i)), .low_o(low_x), .high_o(high_x));
+  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(27'(z_i)), .b_i(27'(sy_i)), .low_o(low_y), .high_o(high_y));
 
   // The only place where precision is lost: half a unit of two steps.
   function automatic sheared_t round_half(delta_t x, logic signed [63:0] low, logic signed [63:0] high);

@@ -2,7 +2,7 @@
 // Does the ray's line meet the sphere? X, Y: the sheared centre; R: the radius; N: |S|^2 R, of
 // which R is in steps, N in units of two. Five of the products, and N R, are edge_fns'.
 //   s1-s3  Y Sy                          exact, 2 DSPs
-//   s4     Z = X Sy - Y Sx               nearest, units of two steps; below 2^26, because the
+//   s4     Z = X Sy - Y Sx               nearest, units of two steps; below 2^CoordW, because the
 //                                        sheared z cancels: it is (x Sy - y Sx) / 2
 //          towards = X Sx + Y Sy         nearest, quarter steps
 //          rest = N R - 2 (X^2 + Y^2)    exact, units of two square steps
@@ -29,35 +29,37 @@ module sphere_disc
   input  logic signed [53:0] p_nr_i,
 
   output logic               valid_o,
-  output logic [55:0]        disc_o,
-  output logic signed [31:0] towards_o
+  output det_t               disc_o,
+  output towards_t           towards_o
 );
   logic signed [53:0] p_ysy, p_zz;
 
-  mul27 u_ysy (.clk_i, .en_i(en_i[2:0]), .a_i(y_i), .b_i(sy_i), .p_o(p_ysy));
+  mul27 u_ysy (.clk_i, .en_i(en_i[2:0]), .a_i(27'(y_i)), .b_i(27'(sy_i)), .p_o(p_ysy));
 
   // Sums of two products have 55 bits.
-  function automatic logic signed [26:0] round_z(logic signed [53:0] p, logic signed [53:0] q);
+  function automatic sheared_t round_z(logic signed [53:0] p, logic signed [53:0] q);
     logic signed [54:0] sum;
     sum = 55'(p) - 55'(q) + (55'sd1 <<< (ShearFrac - 1));
-    return 27'(sum >>> ShearFrac);
+    return sheared_t'(sum >>> ShearFrac);
   endfunction
-  function automatic logic signed [31:0] round_towards(logic signed [53:0] p, logic signed [53:0] q);
+  function automatic towards_t round_towards(logic signed [53:0] p, logic signed [53:0] q);
     logic signed [54:0] sum;
     sum = 55'(p) + 55'(q) + (55'sd1 <<< (ShearFrac - 4));
-    return 32'(sum >>> (ShearFrac - 3));
+    return towards_t'(sum >>> (ShearFrac - 3));
   endfunction
 
-  logic               valid4_q, valid5_q, valid6_q, valid7_q;
-  logic signed [55:0] rest4_q, rest5_q, rest6_q, disc7_q;
-  logic signed [31:0] towards4_q, towards5_q, towards6_q;
+  typedef logic signed [$bits(det_t)-1:0] disc_t;
 
-  logic signed [26:0] z;
+  logic               valid4_q, valid5_q, valid6_q, valid7_q;
+  disc_t              rest4_q, rest5_q, rest6_q, disc7_q;
+  towards_t           towards4_q, towards5_q, towards6_q;
+
+  sheared_t z;
   assign z = round_z(p_xsy_i, p_ysx_i);
 
-  mul27 u_zz (.clk_i, .en_i({valid5_q, valid4_q, en_i[3]}), .a_i(z), .b_i(z), .p_o(p_zz));
+  mul27 u_zz (.clk_i, .en_i({valid5_q, valid4_q, en_i[3]}), .a_i(27'(z)), .b_i(27'(z)), .p_o(p_zz));
 
-  assign valid_o = valid7_q && !disc7_q[55];
+  assign valid_o = valid7_q && !disc7_q[$bits(det_t)-1];
   assign disc_o  = disc7_q;
 
   always_ff @(posedge clk_i) begin
@@ -76,7 +78,7 @@ module sphere_disc
 
   always_ff @(posedge clk_i) begin
     if (en_i[3]) begin
-      rest4_q    <= 56'(p_nr_i) - ((56'(p_xx_i) + 56'(p_yy_i)) <<< 1);
+      rest4_q    <= disc_t'(p_nr_i) - ((disc_t'(p_xx_i) + disc_t'(p_yy_i)) <<< 1);
       towards4_q <= round_towards(p_xsx_i, p_ysy);
     end
     if (valid4_q) begin
@@ -88,7 +90,7 @@ module sphere_disc
       towards6_q <= towards5_q;
     end
     if (valid6_q) begin
-      disc7_q   <= rest6_q - (56'(p_zz) <<< 1);
+      disc7_q   <= rest6_q - (disc_t'(p_zz) <<< 1);
       towards_o <= towards6_q;
     end
   end

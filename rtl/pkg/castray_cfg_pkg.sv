@@ -1,33 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bit widths of the arithmetic: the one place where each is chosen.
-// docs/number-formats.md derives them; a unit that is made for one width refuses others at elaboration.
+// docs/number-formats.md derives them and says under *Other widths* what else they may be;
+// math/width_check refuses the rest at elaboration.
 package castray_cfg_pkg;
   // Version of the core, major.minor.patch; the version register and `castray --version` show it.
   localparam int unsigned VersionMajor = 0;
   localparam int unsigned VersionMinor = 1;
   localparam int unsigned VersionPatch = 0;
 
-  // A position: unsigned steps of the scene's grid from the scene's corner.
+  // A position: unsigned steps of the scene's grid from the scene's corner. 20 to 26.
   localparam int unsigned CoordW = 26;
-  // Fraction bits of the shear Sx, Sy of a ray.
+  // Bits of a position's field in a record: fixed, so that CoordW does not move the scene image.
+  localparam int unsigned CoordFieldW = 26;
+  // Fraction bits of the shear Sx, Sy of a ray. 16 to 26.
   localparam int unsigned ShearFrac = 26;
-  // Fraction bits of a distance along the dominant axis.
+  // Fraction bits of a distance along the dominant axis. 2 to 4: roots come in quarter steps.
   localparam int unsigned TFrac = 4;
-  // Fraction bits of u and v, the quotients of the hit divider.
+  // Fraction bits of u and v, the quotients of the hit divider. 12 to 24.
   localparam int unsigned BaryFrac = 24;
-  // Operand bits of the hit divider, after normalisation.
+  // Operand bits of the hit divider, after normalisation. BaryFrac + 2 to 26.
   localparam int unsigned HitDivW = 26;
-  // Operand bits of the shear divider, after normalisation.
+  // Operand bits of the shear divider, after normalisation. ShearFrac + 2 to DirFrac + 3.
   localparam int unsigned ShearDivW = 32;
-  // Fraction bits of a ray's direction before the division.
+  // Fraction bits of a ray's direction before the division. Fixed.
   localparam int unsigned DirFrac = 42;
-  // Fraction bits of 1 + Sx^2 + Sy^2.
-  localparam int unsigned NormFrac = 24;
-  // Fraction bits of a unit normal, a weight and a facing ratio.
+  // Fraction bits of 1 + Sx^2 + Sy^2: without its top bit it is a shear of as many bits as another.
+  localparam int unsigned NormFrac = ShearFrac - 2;
+  // Fraction bits of a unit normal, a weight and a facing ratio. Fixed.
   localparam int unsigned UnitFrac = 16;
-  // Fraction bits of the normaliser's square root.
+  // Fraction bits of the normaliser's square root. Fixed.
   localparam int unsigned RootFrac = 5;
-  // A primitive's number; all ones stands for "none".
+  // A vector before it is normalised: grid steps of any CoordW, or a mixed normal. Fixed.
+  localparam int unsigned SpanW = 29;
+  // A primitive's number; all ones stands for "none". Fixed: with it a slot of the image is full.
   localparam int unsigned PrimW = 21;
   // A context's number: up to 64 contexts a lane.
   localparam int unsigned CtxW = 6;

@@ -17,7 +17,8 @@ package castray_image_pkg;
   localparam int unsigned HitBytes     = 32;
   localparam int unsigned PixelBytes   = 4;
 
-  // The widths an image was made for; compared whole.
+  // The widths an image was made for, compared whole: the layout is the same for all of them, what
+  // a step means is not.
   localparam logic [31:0] ImageParameters =
     32'(CoordW) | (32'(PrimW) << 8) | (32'(UnitFrac) << 16) | (32'(DirFrac) << 24);
 

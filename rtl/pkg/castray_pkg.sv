@@ -5,10 +5,14 @@ package castray_pkg;
   import castray_cfg_pkg::*;
 
   // ---- Formats. Qi.f: i integer bits with the sign where there is one, f fraction bits ----
-  typedef logic [CoordW-1:0]               coord_t;    // grid steps from the scene's corner
+  typedef logic [CoordFieldW-1:0]          coord_t;    // grid steps from the scene's corner, below 2^CoordW
   typedef logic signed [CoordW:0]          delta_t;    // difference of two positions, steps
   typedef logic signed [CoordW:0]          sheared_t;  // sheared position, units of two steps
   typedef logic signed [ShearFrac:0]       shear_t;    // Q1.26, magnitude below one
+  typedef logic signed [2*CoordW+2:0]      edge_fn_t;  // edge function, units of four square steps
+  typedef logic [2*CoordW+2:0]             area_t;     // its magnitude
+  typedef logic [2*CoordW+3:0]             det_t;      // the sum of three
+  typedef logic signed [CoordW+5:0]        towards_t;  // along a ray not normalised, quarter steps
   typedef logic [NormFrac+1:0]             norm2_t;    // Q2.24, 1 + Sx^2 + Sy^2
   typedef logic signed [CoordW+TFrac:0]    t_t;        // Q27.4, steps along the dominant axis
   typedef logic [BaryFrac:0]               bary_t;     // Q1.24, zero to one inclusive
@@ -112,10 +116,10 @@ package castray_pkg;
     ctx_t         ctx;
     prim_t        number;
     logic         kind;
-    logic [54:0]  u;
-    logic [54:0]  v;
-    logic [55:0]  det;
-    logic signed [31:0] az;
+    area_t        u;
+    area_t        v;
+    det_t         det;
+    towards_t     az;
     delta_t       bz;
     delta_t       cz;
   } cand_t;
@@ -157,7 +161,7 @@ package castray_pkg;
   typedef struct packed { logic [7:0] b, g, r; } rgb_t;
 
   // A vector before it is normalised: a corner normal's units, grid steps, or a direction's.
-  typedef logic signed [CoordW+2:0] span_t;
+  typedef logic signed [SpanW-1:0] span_t;
   typedef struct packed { span_t x, y, z; } span3_t;
 
   // A triangle's attributes at the hit.

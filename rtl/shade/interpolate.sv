@@ -28,22 +28,24 @@ module interpolate
   output smooth_t    out_o
 );
   localparam int unsigned TexW   = $bits(tex_t);
-  localparam int unsigned SpanW  = $bits(span_t);
   localparam int unsigned Keep   = 10;   // fraction bits of a normal beyond UnitFrac
   localparam int unsigned Stages = 8;
   localparam int unsigned SumW   = TexW + UnitFrac + 4;   // as wide as dot3's
-  if (BaryFrac <= UnitFrac) begin : g_check
-    $error("interpolate: BaryFrac must exceed UnitFrac");
-  end
+  // Bits by which a weight is shorter or longer than u and v.
+  localparam int unsigned Drop = (BaryFrac > UnitFrac) ? BaryFrac - UnitFrac : 0;
+  localparam int unsigned Gain = (UnitFrac > BaryFrac) ? UnitFrac - BaryFrac : 0;
+  localparam int unsigned Half = (1 << Drop) >> 1;
 
   typedef logic signed [UnitFrac+1:0] weight_t;  // Q2.16
   typedef logic signed [TexW-1:0]     value_t;   // a normal's component, sign extended, or s or t
   typedef logic signed [SumW-1:0]     sum_t;
 
-  // The only places where precision is dropped: 8 bits of a weight, 16 of a texture coordinate's
+  // The only places where precision is dropped: Drop bits of a weight, 16 of a texture coordinate's
   // sum, 6 of a normal's.
   function automatic weight_t round_weight(bary_t x);
-    return weight_t'((x + bary_t'(1 << (BaryFrac - UnitFrac - 1))) >> (BaryFrac - UnitFrac));
+    bary_t kept;
+    kept = (x + bary_t'(Half)) >> Drop;
+    return weight_t'(kept) <<< Gain;
   endfunction
   function automatic value_t widen(unit_t n);
     return value_t'(n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// unit = V / |V|, three components in Q2.16; V has signed components of 29 bits. Zero gives zero.
+// unit = V / |V|, three components in Q2.16; V has signed components of SpanW bits. Zero gives zero.
 //   s1          spread = |x| or |y| or |z|: its top one is that of the largest
 //   s2          top = the place of that one
 //   s3          v = V 2^(16 - top)                    18 bits, to the right rounded down
@@ -33,11 +33,10 @@ module normalise
   output unit3_t out_o,
   output tag_t   out_tag_o
 );
-  localparam int unsigned SpanW = CoordW + 3;
   // At least the vectors that s4, s5, cordic_sqrt and div_pipe hold, 26: so it is never full.
   localparam int unsigned QueueDepth = 32;
   if (SpanW != 29 || UnitFrac != 16 || RootFrac != 5) begin : g_check
-    $error("normalise: made for CoordW 26, UnitFrac 16 and RootFrac 5");
+    $error("normalise: made for SpanW 29, UnitFrac 16 and RootFrac 5");
   end
 
   typedef logic [SpanW-1:0]          magnitude_t;

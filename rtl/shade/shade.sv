@@ -31,6 +31,7 @@ module shade
   input  logic       out_ready_i,
   output shaded_t    out_o
 );
+  width_check u_widths ();
   localparam int unsigned RaysDepth   = 8;    // hits in interpolate and sphere_normal
   localparam int unsigned PaintsDepth = 32;   // hits in normalise
 

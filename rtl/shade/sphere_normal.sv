@@ -3,10 +3,10 @@
 //   z = (neg ? -t : t) to whole steps;  P = eye + z (Sx, Sy, 1) on permuted axes;  V = P - centre
 // Sx z in one cycle, Sy z in the next, through one multiplier.
 //   s0     signed t
-//   s1     z: round half up, saturated to 27 bits (a hit is nearer than that)
+//   s1     z: round half up, saturated to CoordW + 1 bits (a hit is nearer than that)
 //   s2..4  S z                                        exact, 27x27 (mul27)
 //   s5     to whole steps (round half up)
-//   out    unpermuted, plus eye - centre              exact, 29 bits
+//   out    unpermuted, plus eye - centre              exact
 // 2 DSPs. One hit every two cycles, in order, latency 8 cycles from a hit's first.
 // Model: cpp_model/shade/sphere_normal.hpp, equal bit for bit.
 module sphere_normal

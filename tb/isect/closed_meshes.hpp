@@ -39,7 +39,8 @@ struct Mesh {
   }
 };
 
-inline constexpr std::int64_t kMiddle = 1 << 25;
+inline constexpr std::int64_t kMiddle = kHalf;
+inline constexpr int kNarrower = 26 - CoordW;  // meshes shrink with the grid
 inline Grid3 snap(const double* p) {
   Grid3 g;
   for (int i = 0; i < 3; ++i) g[i] = kMiddle + kParts * std::llround(p[i] / kParts);
@@ -47,7 +48,7 @@ inline Grid3 snap(const double* p) {
 }
 
 // An icosahedron, each face split into 64, bumps of a fifth of its radius: 1,280 triangles.
-inline Mesh bumpy_sphere(double radius = 2.1e7) {
+inline Mesh bumpy_sphere(double radius = 2.1e7 / (1 << kNarrower)) {
   using V = std::array<double, 3>;
   const double g = (1 + std::sqrt(5.0)) / 2;
   const V corners[12] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
@@ -56,7 +57,7 @@ inline Mesh bumpy_sphere(double radius = 2.1e7) {
                           {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
                           {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
   const int n = 8;
-  Mesh mesh{"bumpy sphere", {}, 1 << 20};
+  Mesh mesh{"bumpy sphere", {}, (1 << 20) >> kNarrower};
   for (const auto& face : ico) {
     const auto at = [&](int i, int j) {
       // Weights in a fixed order of the corners, so that neighbours agree in every bit.
@@ -81,7 +82,7 @@ inline Mesh bumpy_sphere(double radius = 2.1e7) {
 }
 
 // A cube, each face a lattice of 12 x 12 squares, two triangles each: 1,728.
-inline Mesh lattice_cube(std::int64_t square = kParts * 150000) {
+inline Mesh lattice_cube(std::int64_t square = kParts * (150000 >> kNarrower)) {
   const int n = 12;
   Mesh mesh{"lattice cube", {}, 6 * square};
   for (int axis = 0; axis < 3; ++axis)

@@ -8,6 +8,10 @@
 
 namespace castray::tb {
 
+inline constexpr std::int64_t kStep = 1 << TFrac;           // of a distance
+inline constexpr std::int64_t kQuarter = 1 << (TFrac - 2);  // a quarter step
+inline constexpr int kGain = HitDivW - 2 - BaryFrac;        // bits of a numerator beyond its quotient's
+
 struct HitCase {
   cand_t cand;
   hit_ray_t ray;
@@ -112,7 +116,7 @@ inline std::vector<HitCase> accepted_cases(int n, unsigned seed) {
 }
 // Any magnitudes that a candidate may have, more extreme than geometry makes them.
 inline HitCase any_triangle(Rng& rng) {
-  const std::uint64_t det = static_cast<std::uint64_t>(rng.in(1, std::int64_t{1} << rng.in(0, 54)));
+  const std::uint64_t det = static_cast<std::uint64_t>(rng.in(1, std::int64_t{1} << rng.in(0, 2 * CoordW + 2)));
   const std::uint64_t u = rng.chance(6) ? (rng.chance(2) ? 0 : det) : static_cast<std::uint64_t>(rng.in(0, static_cast<std::int64_t>(det)));
   const std::uint64_t v = rng.chance(3) ? det - u : static_cast<std::uint64_t>(rng.in(0, static_cast<std::int64_t>(det - u)));
   const std::int64_t org = static_cast<std::int64_t>(rng.coord());

@@ -20,59 +20,59 @@ TEST_P(HitUnitStalls, MatchesModelOnAnyMagnitude) {
 }
 
 TEST(HitUnit, NormalisesEitherWay) {
-  // The same quotients from det of 1 bit to 55 bits: shifted left, not at all, right.
-  for (int k = 2; k <= 54; ++k) {
+  // The same quotients from det of 1 bit to all its bits: shifted left, not at all, right.
+  for (int k = 2; k <= 2 * CoordW + 2; ++k) {
     const std::uint64_t unit = std::uint64_t{1} << (k - 2);
     const result_t r = one(triangle(unit, 2 * unit, 4 * unit, 400, 800, 1200));
-    EXPECT_EQ(r.u, 1u << 22) << k;
-    EXPECT_EQ(r.v, 1u << 23) << k;
-    EXPECT_EQ(r.t, (400 / 4 + 800 / 2 + 1200 / 4) * 16) << k;
+    EXPECT_EQ(r.u, 1u << (BaryFrac - 2)) << k;
+    EXPECT_EQ(r.v, 1u << (BaryFrac - 1)) << k;
+    EXPECT_EQ(r.t, (400 / 4 + 800 / 2 + 1200 / 4) * kStep) << k;
   }
-  // Right shifts truncate: det = 2^26 + 1 counts as 2^26, u = 3 as 2 of it.
-  EXPECT_EQ(one(triangle(3, 0, (1 << 26) + 1, 0, 0, 0)).u, 1u);
+  // Right shifts truncate: det = 2^HitDivW + 1 counts as 2^HitDivW, u = 3 as 2 of it.
+  EXPECT_EQ(one(triangle((2 << kGain) + 1, 0, (1 << HitDivW) + 1, 0, 0, 0)).u, 1u);
 }
 
 TEST(HitUnit, CornersAreExact) {
-  for (std::uint64_t det : {1ull, 77ull, (1ull << 26) + 12345, (1ull << 54) - 1}) {
+  for (std::uint64_t det : {1ull, 77ull, (1ull << HitDivW) + 12345, (1ull << (2 * CoordW + 2)) - 1}) {
     const result_t a = one(triangle(det, 0, det, 123, -456, 789)), b = one(triangle(0, det, det, 123, -456, 789)),
                    c = one(triangle(0, 0, det, 123, -456, 789));
     EXPECT_EQ(a.u, 1u << BaryFrac);
     EXPECT_EQ(b.v, 1u << BaryFrac);
-    EXPECT_EQ(a.t, 123 * 16);
-    EXPECT_EQ(b.t, -456 * 16);
-    EXPECT_EQ(c.t, 789 * 16);
+    EXPECT_EQ(a.t, 123 * kStep);
+    EXPECT_EQ(b.t, -456 * kStep);
+    EXPECT_EQ(c.t, 789 * kStep);
     EXPECT_EQ(c.u + c.v + a.v + b.u, 0u);
   }
   const std::int64_t far = kGrid - 1;
-  EXPECT_EQ(one(triangle(9, 0, 9, far, -far, 0)).t, far * 16);
-  EXPECT_EQ(one(triangle(0, 9, 9, 0, far, 0, straight(true, -TMax))).t, -far * 16);
+  EXPECT_EQ(one(triangle(9, 0, 9, far, -far, 0)).t, far * kStep);
+  EXPECT_EQ(one(triangle(0, 9, 9, 0, far, 0, straight(true, -TMax))).t, -far * kStep);
 }
 
 TEST(HitUnit, RoundsTiesUp) {
-  // u = 1 / 2^25 and 3 / 2^25: halves of the last bit.
-  EXPECT_EQ(one(triangle(1, 3, 1 << 25, 0, 0, 0)).u, 1u);
-  EXPECT_EQ(one(triangle(1, 3, 1 << 25, 0, 0, 0)).v, 2u);
-  // u (Az - Cz) is half of 1/16: up to 1/16; minus half: up to 0; and the ray's sign comes after.
-  EXPECT_EQ(one(triangle(1, 0, 32, 1, 0, 0)).t, 1);
-  EXPECT_EQ(one(triangle(1, 0, 32, -1, 0, 0)).t, 0);
-  EXPECT_EQ(one(triangle(1, 0, 32, 1, 0, 0, straight(true, -TMax))).t, -1);
-  EXPECT_EQ(one(triangle(1, 0, 32, -1, 0, 0, straight(true, -TMax))).t, 0);
+  // u = 1 and 3 halves of the last bit.
+  EXPECT_EQ(one(triangle(1, 3, 2 << BaryFrac, 0, 0, 0)).u, 1u);
+  EXPECT_EQ(one(triangle(1, 3, 2 << BaryFrac, 0, 0, 0)).v, 2u);
+  // u (Az - Cz) is half of the last bit: up to it; minus half: up to 0; and the ray's sign comes after.
+  EXPECT_EQ(one(triangle(1, 0, 2 * kStep, 1, 0, 0)).t, 1);
+  EXPECT_EQ(one(triangle(1, 0, 2 * kStep, -1, 0, 0)).t, 0);
+  EXPECT_EQ(one(triangle(1, 0, 2 * kStep, 1, 0, 0, straight(true, -TMax))).t, -1);
+  EXPECT_EQ(one(triangle(1, 0, 2 * kStep, -1, 0, 0, straight(true, -TMax))).t, 0);
   // Two halves are one whole: the sum is rounded, not its parts.
-  EXPECT_EQ(one(triangle(1, 1, 32, 1, 1, 0)).t, 1);
-  // Sphere, norm2 below two: 5 2^24 / 2^25 = 2.5 is 3, doubled: 6 quarter steps. And -5: -6.
-  EXPECT_EQ(one(sphere(0, 0, 5, straight(false, -TMax))).t, 6 * 4);
-  EXPECT_EQ(one(sphere(0, 0, -5, straight(false, -TMax))).t, -6 * 4);
+  EXPECT_EQ(one(triangle(1, 1, 2 * kStep, 1, 1, 0)).t, 1);
+  // Sphere, norm2 below two: 5 / 2 = 2.5 is 3, doubled: 6 quarter steps. And -5: -6.
+  EXPECT_EQ(one(sphere(0, 0, 5 << kGain, straight(false, -TMax))).t, (6 << kGain) * kQuarter);
+  EXPECT_EQ(one(sphere(0, 0, -(5 << kGain), straight(false, -TMax))).t, -(6 << kGain) * kQuarter);
   hit_ray_t slanted = straight(false, -TMax);
   slanted.norm2 = 2 << NormFrac;  // 5 / 2 = 2.5 is 3 quarter steps
-  EXPECT_EQ(one(sphere(0, 0, 5, slanted)).t, 3 * 4);
+  EXPECT_EQ(one(sphere(0, 0, 5 << kGain, slanted)).t, (3 << kGain) * kQuarter);
 }
 
 TEST(HitUnit, HitsLieStrictlyBeyondTmin) {
   for (bool neg : {false, true}) {
     const std::int64_t z = neg ? -100 : 100;
-    EXPECT_TRUE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 1599))));
-    EXPECT_FALSE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 1600))));
-    EXPECT_FALSE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 1601))));
+    EXPECT_TRUE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 100 * kStep - 1))));
+    EXPECT_FALSE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 100 * kStep))));
+    EXPECT_FALSE(emitted(triangle(1, 1, 4, z, z, z, straight(neg, 100 * kStep + 1))));
     EXPECT_FALSE(emitted(triangle(1, 1, 4, -z, -z, -z, straight(neg, 0))));
   }
   EXPECT_FALSE(emitted(triangle(1, 1, 4, 0, 0, 0, straight(false, 0))));
@@ -87,50 +87,50 @@ TEST(HitUnit, SphereTakesTheNearerRootBeyondTmin) {
       ray.cull = cull;
       return sphere(cz, 450, 0, ray);
     };
-    EXPECT_EQ(one(at(0, false)).t, 70 * 16);
-    EXPECT_EQ(one(at(0, true)).t, 70 * 16);
-    EXPECT_EQ(one(at(70 * 16 - 1, false)).t, 70 * 16);
-    EXPECT_EQ(one(at(70 * 16, false)).t, 130 * 16);
-    EXPECT_FALSE(emitted(at(70 * 16, true)));
-    EXPECT_EQ(one(at(130 * 16 - 1, false)).t, 130 * 16);
-    EXPECT_FALSE(emitted(at(130 * 16, false)));
+    EXPECT_EQ(one(at(0, false)).t, 70 * kStep);
+    EXPECT_EQ(one(at(0, true)).t, 70 * kStep);
+    EXPECT_EQ(one(at(70 * kStep - 1, false)).t, 70 * kStep);
+    EXPECT_EQ(one(at(70 * kStep, false)).t, 130 * kStep);
+    EXPECT_FALSE(emitted(at(70 * kStep, true)));
+    EXPECT_EQ(one(at(130 * kStep - 1, false)).t, 130 * kStep);
+    EXPECT_FALSE(emitted(at(130 * kStep, false)));
     const result_t r = one(at(0, false));
     EXPECT_EQ(r.u + r.v, 0u);
     EXPECT_EQ(r.kind, std::uint64_t{KindSphere});
   }
   // The origin inside: only the farther root is in front.
-  EXPECT_EQ(one(sphere(10, 450, 0, straight())).t, 40 * 16);
+  EXPECT_EQ(one(sphere(10, 450, 0, straight())).t, 40 * kStep);
   // Behind: none.
   EXPECT_FALSE(emitted(sphere(-40, 450, 0, straight())));
   // towards counts along the ray: centre off the axis.
-  EXPECT_EQ(one(sphere(100, 450, 8, straight())).t, 72 * 16);
-  EXPECT_EQ(one(sphere(-100, 450, 8, straight(true))).t, 68 * 16);
+  EXPECT_EQ(one(sphere(100, 450, 8, straight())).t, 72 * kStep);
+  EXPECT_EQ(one(sphere(-100, 450, 8, straight(true))).t, 68 * kStep);
   // Tangent: both roots are the same.
-  EXPECT_EQ(one(sphere(100, 0, 0, straight())).t, 100 * 16);
+  EXPECT_EQ(one(sphere(100, 0, 0, straight())).t, 100 * kStep);
 }
 
 TEST(HitUnit, DistancesSaturate) {
   const std::int64_t far = kGrid - 1;
-  const std::uint64_t disc = std::uint64_t{1} << 49;  // of the largest sphere, radius 2^25
+  const std::uint64_t disc = std::uint64_t{1} << (2 * CoordW - 3);  // of the largest sphere, radius 2^(CoordW-1)
   EXPECT_EQ(one(sphere(far, disc, 0, straight(false, TMax - 1))).t, TMax);
   EXPECT_FALSE(emitted(sphere(far, disc, 0, straight(false, TMax))));
   EXPECT_EQ(one(sphere(-far, disc, 0, straight(false, -TMax - 1))).t, -TMax);
   EXPECT_EQ(one(sphere(far, disc, 0, straight(true, -TMax - 1))).t, -TMax);
-  // One sixteenth too far, either way: 65 steps, 260 quarter steps, beyond the last position.
+  // One last bit too far, either way: 65 steps, 260 quarter steps, beyond the last position.
   EXPECT_EQ(one(sphere(far, 0, 260, straight(false, 0))).t, TMax);
   EXPECT_EQ(one(sphere(-far, 0, -260, straight(false, -TMax - 1))).t, -TMax);
-  EXPECT_EQ(one(sphere(far, 0, 258, straight(false, 0))).t, TMax + 1 - 8);
+  EXPECT_EQ(one(sphere(far, 0, 256, straight(false, 0))).t, TMax + 1 - kStep);
 }
 
 TEST(HitUnit, LargestNumerators) {
-  // Around 2^30 quarter steps six bits are lost, just below only five; the result is in range.
+  // Around 2^(CoordW+4) quarter steps most bits are lost, just below one less; the result is in range.
   Rng rng(43);
   std::vector<HitCase> cases;
   for (int i = 0; i < 2000; ++i) {
     const bool neg = rng.chance(2);
-    const std::int64_t towards = (neg ? -1 : 1) * ((std::int64_t{1} << rng.in(24, 30)) + rng.in(-1000, 1000));
+    const std::int64_t towards = (neg ? -1 : 1) * ((std::int64_t{1} << rng.in(CoordW - 2, CoordW + 4)) + rng.in(-1000, 1000));
     HitCase c = sphere(neg ? kGrid - 1 : 1 - kGrid, static_cast<std::uint64_t>(rng.in(0, 9)), towards, straight(neg, -TMax - 1));
-    c.ray.norm2 = static_cast<norm2_t>(rng.chance(2) ? rng.in(1 << 24, (3 << 24) - 1) : 3 * (1 << 24) - rng.in(1, 9));
+    c.ray.norm2 = static_cast<norm2_t>(rng.chance(2) ? rng.in(1 << NormFrac, (3 << NormFrac) - 1) : 3 * (1 << NormFrac) - rng.in(1, 9));
     cases.push_back(c);
   }
   EXPECT_EQ(run(cases).out.size(), cases.size());
@@ -151,7 +151,7 @@ TEST(HitUnit, MixesSpheresAndTriangles) {
   for (int i = 0; i < 400; ++i) {
     for (int k = static_cast<int>(rng.in(0, 3)); k > 0; --k) cases.push_back(any_triangle(rng));
     for (int k = static_cast<int>(rng.in(1, 3)); k > 0; --k)
-      cases.push_back(sphere(rng.in(-9999, 9999), static_cast<std::uint64_t>(rng.in(0, 3LL << 49)), rng.in(-99999, 99999), straight(rng.chance(2))));
+      cases.push_back(sphere(rng.in(-9999, 9999), static_cast<std::uint64_t>(rng.in(0, 3LL << (2 * CoordW - 3))), rng.in(-99999, 99999), straight(rng.chance(2))));
   }
   run(cases);
 }

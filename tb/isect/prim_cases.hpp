@@ -9,6 +9,7 @@
 namespace castray::tb {
 
 inline constexpr std::int64_t kGrid = (1 << CoordW) - 64;  // positions are below this
+inline constexpr std::int64_t kHalf = 1 << (CoordW - 1);   // the middle; radii are below this
 inline constexpr std::int64_t kOne = 1 << ShearFrac;
 
 inline std::uint64_t norm2_of(std::int64_t sx, std::int64_t sy) {
@@ -86,16 +87,16 @@ inline PrimCase random_case(Rng& rng) {
   c.ray = rng.ray();
   c.ctx = static_cast<ctx_t>(rng.in(0, 63));
   c.prim.number = rng.chance(40) ? NoPrim : static_cast<prim_t>(rng.in(0, NoPrim - 1));
-  const std::int64_t off = std::int64_t{1} << rng.in(0, 25);
+  const std::int64_t off = std::int64_t{1} << rng.in(0, CoordW - 1);
   if (rng.chance(4)) {
     c.prim.kind = KindSphere;
     c.prim.a = rng.chance(4) ? rng.point() : rng.near_ray(c.ray, off);
     c.prim.b = rng.point();
     c.prim.c = rng.point();
-    c.prim.b.x = static_cast<std::uint64_t>(rng.chance(8)   ? (1 << 25) - 1
+    c.prim.b.x = static_cast<std::uint64_t>(rng.chance(8)   ? kHalf - 1
                                             : rng.chance(8) ? rng.in(0, 3)
-                                            : rng.chance(9) ? rng.in(1 << 25, (1 << 26) - 1)
-                                                            : rng.in(0, std::min<std::int64_t>(2 * off, (1 << 25) - 1)));
+                                            : rng.chance(9) ? rng.in(kHalf, 2 * kHalf - 1)
+                                                            : rng.in(0, std::min<std::int64_t>(2 * off, kHalf - 1)));
     return c;
   }
   c.prim.kind = KindTriangle;

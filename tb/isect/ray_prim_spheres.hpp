@@ -15,7 +15,7 @@ TEST(RayPrimSphere, TangentHasDiscZero) {
 }
 
 TEST(RayPrimSphere, InsideBehindAndOfExtremeRadius) {
-  const std::int64_t biggest = (1 << 25) - 1;
+  const std::int64_t biggest = kHalf - 1;
   std::vector<PrimCase> met, missed;
   for (bool neg : {false, true})
     for (axis_t axis : {0, 1, 2}) {
@@ -33,14 +33,14 @@ TEST(RayPrimSphere, InsideBehindAndOfExtremeRadius) {
 }
 
 TEST(RayPrimSphere, FarOffTheRayFitsItsMultiplier) {
-  // |X Sy - Y Sx| stays below 2^26 where all is as large as it gets, rounded as badly as it gets.
+  // |X Sy - Y Sx| stays below 2^CoordW where all is as large as it gets, rounded as badly as it gets.
   const std::int64_t top = (1 << CoordW) - 1;
   std::int64_t largest = 0;
   std::vector<PrimCase> cases;
   for (int i = 0; i < 1 << 10; ++i) {
     PrimCase s;
     s.prim.number = 1, s.prim.kind = KindSphere;
-    s.prim.b.x = (1 << 25) - 1;
+    s.prim.b.x = kHalf - 1;
     s.ray.axis = 2;
     s.ray.sx = (i & 1 ? -1 : 1) * (kOne - 1 - (i >> 8 & 1));
     s.ray.sy = (i & 2 ? -1 : 1) * (kOne - 1 - (i >> 9 & 1));
@@ -56,8 +56,8 @@ TEST(RayPrimSphere, FarOffTheRayFitsItsMultiplier) {
     largest = std::max(largest, std::abs(z));
     cases.push_back(s);
   }
-  EXPECT_LT(largest, 1 << 26);
-  EXPECT_GT(largest, (1 << 26) - 4);
+  EXPECT_LT(largest, 2 * kHalf);
+  EXPECT_GT(largest, 2 * kHalf - 4 - (kHalf >> (ShearFrac - 2)));
   run(cases);
 }
 

@@ -17,8 +17,8 @@ bool plain_accept(const PrimCase& t) {
                                std::int64_t(p.z) - std::int64_t(o.z)};
     const int k = static_cast<int>(t.ray.axis);
     const int128 z = d[k];
-    x[i] = ((int128{d[(k + 1) % 3]} << 26) - t.ray.sx * z + (1 << 26)) >> 27;
-    y[i] = ((int128{d[(k + 2) % 3]} << 26) - t.ray.sy * z + (1 << 26)) >> 27;
+    x[i] = ((int128{d[(k + 1) % 3]} << ShearFrac) - t.ray.sx * z + kOne) >> (ShearFrac + 1);
+    y[i] = ((int128{d[(k + 2) % 3]} << ShearFrac) - t.ray.sy * z + kOne) >> (ShearFrac + 1);
   }
   const auto side = [&](int p, int q, int128& area) {  // of the edge between corners p and q
     area = x[p] * y[q] - y[p] * x[q];
@@ -148,7 +148,7 @@ TEST(RayPrim, ReachesEveryExtreme) {
     c.prim.a = corner(), c.prim.b = corner(), c.prim.c = corner();
     c.prim.number = static_cast<prim_t>(any(2) ? 0 : NoPrim - 1);
     c.prim.kind = static_cast<std::uint64_t>(any(2));
-    if (c.prim.kind == KindSphere) c.prim.b.x = static_cast<std::uint64_t>(any(2) ? (1 << 25) - 1 : (1 << 25) - any(9));
+    if (c.prim.kind == KindSphere) c.prim.b.x = static_cast<std::uint64_t>(any(2) ? kHalf - 1 : kHalf - any(9));
     c.ctx = static_cast<ctx_t>(any(64));
     cases.push_back(c);
   }
@@ -206,7 +206,7 @@ TEST(RayPrim, EveryStageHoldsAnAcceptedTest) {
     test_ray_t ray = rng.ray();
     ray.cull = 0;
     PrimCase t = triangle(ray, {-900, -800, 0}, {900 + i, -800, 2}, {i, 900, 1});
-    t.ray.org.x = t.ray.org.y = t.ray.org.z = 1 << 25;
+    t.ray.org.x = t.ray.org.y = t.ray.org.z = kHalf;
     t.prim.a = at_delta(t.ray, {-900, -800, 0}), t.prim.b = at_delta(t.ray, {900 + i, -800, 2}), t.prim.c = at_delta(t.ray, {i, 900, 1});
     t.ctx = static_cast<ctx_t>(i % 64);
     t.prim.number = static_cast<prim_t>(i);

@@ -11,6 +11,7 @@ namespace castray::tb {
 namespace {
 
 constexpr int kContexts = 8;
+constexpr std::int64_t kMiddle = 1 << (CoordW - 1), kOne = 1 << ShearFrac;
 
 struct Work {
   std::vector<ray_t> rays;
@@ -20,7 +21,7 @@ struct Work {
 // Rays from the middle of a small box of primitives that crowd around them: many hits and ties.
 Work random_work(unsigned seed, int rays, int prims) {
   std::mt19937 rng(seed);
-  const auto coord = [&] { return static_cast<coord_t>((1 << 25) + static_cast<int>(rng() % 4001) - 2000); };
+  const auto coord = [&] { return static_cast<coord_t>(kMiddle + static_cast<int>(rng() % 4001) - 2000); };
   const auto point = [&] {
     point_t p;
     p.x = coord(), p.y = coord(), p.z = coord();
@@ -30,12 +31,12 @@ Work random_work(unsigned seed, int rays, int prims) {
   for (int i = 0; i < rays; ++i) {
     ray_t ray;
     ray.tag.x = rng() % 4096, ray.tag.y = rng() % 4096, ray.tag.slot = rng() % 256;
-    ray.org.x = ray.org.y = ray.org.z = 1 << 25;
+    ray.org.x = ray.org.y = ray.org.z = kMiddle;
     ray.axis = rng() % 3;
     ray.neg = rng() % 2;
-    ray.sx = static_cast<int>(rng() % (1u << 27)) - (1 << 26) + 1;
-    ray.sy = static_cast<int>(rng() % (1u << 27)) - (1 << 26) + 1;
-    ray.norm2 = static_cast<norm2_t>(round_shift((std::int64_t{1} << 52) + ray.sx * ray.sx + ray.sy * ray.sy, 28));
+    ray.sx = static_cast<std::int64_t>(rng() % (2 * kOne - 1)) - kOne + 1;
+    ray.sy = static_cast<std::int64_t>(rng() % (2 * kOne - 1)) - kOne + 1;
+    ray.norm2 = static_cast<norm2_t>(round_shift(kOne * kOne + ray.sx * ray.sx + ray.sy * ray.sy, 2 * ShearFrac - NormFrac));
     ray.valid = rng() % 10 != 0;
     ray.cull = rng() % 4 == 0;
     ray.tmin = rng() % 3 ? 0 : static_cast<t_t>(rng() % 20000);
@@ -156,7 +157,7 @@ TEST(Lane, SurvivesWhenEveryTestIsAccepted) {
     slot.kind = i % 5 == 0 ? KindSphere : KindTriangle;
     slot.number = i;
     if (slot.kind == KindSphere) {
-      slot.a.x = slot.a.y = slot.a.z = 1 << 25;
+      slot.a.x = slot.a.y = slot.a.z = kMiddle;
       slot.b.x = 4000 + i;
     }
   }
