@@ -18,6 +18,11 @@ inline const char* error_text(error_t error) {
     case ErrReadBus: return "ErrReadBus: an error response to a read";
     case ErrWriteBus: return "ErrWriteBus: an error response to a write";
     case ErrPrimitive: return "ErrPrimitive: a primitive's number is out of range";
+    case ErrNode: return "ErrNode: a node is illegal, out of range, or not behind its parent";
+    case ErrLeaf: return "ErrLeaf: a leaf is out of range";
+    case ErrStack: return "ErrStack: the hierarchy is deeper than a ray's stack";
+    case ErrSteps: return "ErrSteps: a ray visited more nodes than the job allows";
+    case ErrRay: return "ErrRay: a ray of the list is illegal";
   }
   return "an error code that this program does not know";
 }

@@ -34,6 +34,9 @@ inline std::uint64_t slot_count(const image_header_t& header) { return header.li
 inline prim_slot_t load_slot(const std::uint8_t* image, const image_header_t& header, std::uint64_t slot) {
   return load_record<prim_slot_t>(image + header.lines.offset + slot * SlotBytes);
 }
+inline node_t load_node(const std::uint8_t* image, const image_header_t& header, std::uint64_t index) {
+  return load_record<node_t>(image + header.nodes.offset + index * NodeBytes);
+}
 inline attr_t load_attr(const std::uint8_t* image, const image_header_t& header, std::uint64_t number) {
   return load_record<attr_t>(image + header.attributes.offset + number * AttrBytes);
 }
@@ -70,7 +73,7 @@ inline error_t check_records(const image_header_t& header, const frame_record_t&
   if (header.image_bytes > job.image_bytes) return ErrSection;
   if (!section_ok(header.lines, LineBytes, header.image_bytes)) return ErrSection;
   if (!section_ok(header.attributes, AttrBytes, header.image_bytes)) return ErrSection;
-  if (!section_ok(header.nodes, LineBytes, header.image_bytes)) return ErrSection;
+  if (!section_ok(header.nodes, NodeBytes, header.image_bytes)) return ErrSection;
   if (header.primitives > header.attributes.count) return ErrSection;
   if (header.primitives > static_cast<std::uint64_t>(NoPrim)) return ErrPrimitive;
   const std::uint64_t row = job.width * PixelBytes;

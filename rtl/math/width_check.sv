@@ -26,7 +26,7 @@ module width_check
     $error("castray_cfg_pkg: NormFrac is %0d, it must be ShearFrac - 2", NormFrac);
   end
   if (DirFrac != 42 || UnitFrac != 16 || RootFrac != 5 || PrimW != 21 || CoordFieldW != 26
-      || SpanW != 29) begin : g_fixed
-    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, PrimW, CoordFieldW, SpanW are fixed: 42, 16, 5, 21, 26, 29");
+      || SpanW != 29 || LineW != 22) begin : g_fixed
+    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, PrimW, CoordFieldW, SpanW, LineW are fixed: 42, 16, 5, 21, 26, 29, 22");
   end
 endmodule

@@ -34,6 +34,8 @@ package castray_cfg_pkg;
   localparam int unsigned SpanW = 29;
   // A primitive's number; all ones stands for "none". Fixed: with it a slot of the image is full.
   localparam int unsigned PrimW = 21;
+  // A reference's index of a node or a line: there are fewer than 2^22 of either. Fixed.
+  localparam int unsigned LineW = 22;
   // A context's number: up to 64 contexts a lane.
   localparam int unsigned CtxW = 6;
 endpackage

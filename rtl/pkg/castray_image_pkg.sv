@@ -6,13 +6,14 @@ package castray_image_pkg;
   import castray_pkg::*;
 
   localparam logic [31:0] ImageMagic   = 32'h59525443;  // "CTRY"
-  localparam logic [31:0] ImageVersion = 32'd1;
+  localparam logic [31:0] ImageVersion = 32'd2;
   localparam int unsigned ImageAlign   = 256;  // alignment of the image and of its sections, bytes
   localparam int unsigned BufferAlign  = 64;   // alignment of frame and hit buffers, bytes
   localparam int unsigned HeaderBytes  = 128;
   localparam int unsigned FrameBytes   = 128;  // the frame record follows the header
   localparam int unsigned SlotBytes    = 32;
   localparam int unsigned LineBytes    = 64;   // two slots
+  localparam int unsigned NodeBytes    = 64;
   localparam int unsigned AttrBytes    = 64;
   localparam int unsigned HitBytes     = 32;
   localparam int unsigned PixelBytes   = 4;
@@ -34,8 +35,8 @@ package castray_image_pkg;
     logic signed [63:0] corner_y;
     logic signed [63:0] corner_x;
     logic [31:0]        unused;
-    logic [31:0]        root;         // reference of the hierarchy's root
-    section_t           nodes;        // 64-byte nodes of the hierarchy
+    logic [31:0]        root;         // ref_word_t of the hierarchy's root
+    section_t           nodes;        // node_t, parents before their children
     section_t           attributes;   // attr_t, one for each primitive, by number
     section_t           lines;        // pairs of prim_slot_t
     logic [31:0]        primitives;   // how many numbers are in use
@@ -45,6 +46,37 @@ package castray_image_pkg;
     logic [31:0]        version;
     logic [31:0]        magic;
   } image_header_t;
+
+  // ---- Hierarchy ----
+  typedef logic [31:0] ref_word_t;    // a ref_t below eight zero bits
+  typedef logic [7:0]  plane_t;       // a plane on its node's grid
+  typedef logic [4:0]  plane_exp_t;   // the grid's spacing is 2^exp steps
+  localparam int unsigned MaxPlaneExp = 19;  // 255 << 19 reaches beyond every coordinate
+
+  // A child's box: its low planes, then its high ones.
+  typedef struct packed {
+    plane_t z1, y1, x1;
+    plane_t z0, y0, x0;
+  } child_box_t;
+
+  // A node of up to four children, from child 0 up. A plane lies at origin + (plane << exp).
+  typedef struct packed {
+    logic [98:0] reserved;
+    child_box_t  box3;
+    child_box_t  box2;
+    child_box_t  box1;
+    child_box_t  box0;
+    ref_word_t   ref3;    // RefNone: there is no such child, and none behind it
+    ref_word_t   ref2;
+    ref_word_t   ref1;
+    ref_word_t   ref0;
+    plane_exp_t  exp_z;
+    plane_exp_t  exp_y;
+    plane_exp_t  exp_x;
+    coord_t      z;       // the node's origin
+    coord_t      y;
+    coord_t      x;
+  } node_t;
 
   typedef logic signed [31:0] rot_t;  // Q2.30, an element of the camera's matrix
 

@@ -97,6 +97,18 @@ package castray_pkg;
     point_t a;
   } prim_slot_t;
 
+  // ---- Hierarchy ----
+  // Where a ray goes: a node or a leaf (a line of the primitive buffer) by its index.
+  typedef logic [LineW-1:0] line_t;
+  localparam logic [1:0] RefNone = 2'd0;
+  localparam logic [1:0] RefNode = 2'd1;
+  localparam logic [1:0] RefLeaf = 2'd2;
+  localparam logic [1:0] RefTile = 2'd3;   // an entry of a tile's frontier: on chip only
+  typedef struct packed {
+    logic [1:0] kind;
+    line_t      index;
+  } ref_t;
+
   // What the primitive pipe needs of a ray.
   typedef struct packed {
     point_t org;
@@ -204,6 +216,10 @@ package castray_pkg;
   typedef logic [AddrW-1:0]  addr_t;
   typedef logic [DataW-1:0]  beat_t;
 
+  // A line of 64 bytes, counted from the image's start: an image has at most 4 GiB.
+  localparam int unsigned LineNoW = 26;
+  typedef logic [LineNoW-1:0] line_no_t;
+
   // Clients of the read arbiter, in this order.
   localparam int unsigned ReadClients   = 3;
   localparam int unsigned ReadJob       = 0;
@@ -264,6 +280,11 @@ package castray_pkg;
     ErrHitWindow   = 8'd7,   // the hit buffer is too small
     ErrReadBus     = 8'd8,   // an error response to a read
     ErrWriteBus    = 8'd9,   // an error response to a write
-    ErrPrimitive   = 8'd10   // a primitive's number is out of range
+    ErrPrimitive   = 8'd10,  // a primitive's number is out of range
+    ErrNode        = 8'd11,  // a node is illegal, out of range, or not behind its parent
+    ErrLeaf        = 8'd12,  // a leaf is out of range
+    ErrStack       = 8'd13,  // the hierarchy is deeper than a ray's stack
+    ErrSteps       = 8'd14,  // a ray visited more nodes than the job allows
+    ErrRay         = 8'd15   // a ray of a list is illegal
   } error_t;
 endpackage

@@ -56,7 +56,7 @@ TEST_F(RegisterMap, ListsEveryCounterAtItsOffset) {
 
 TEST_F(RegisterMap, ListsEveryErrorCode) {
   const auto constants = package_constants("rtl/pkg/castray_pkg.sv", "Err[A-Z]\\w*");
-  EXPECT_EQ(constants.size(), ErrPrimitive + 1u);
+  EXPECT_EQ(constants.size(), ErrRay + 1u);
   EXPECT_EQ(table("Errors", 1, 0), constants);
 }
 

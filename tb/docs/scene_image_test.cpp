@@ -32,6 +32,7 @@ TEST_F(SceneImagePage, ListsEveryFieldAtItsPlace) {
   compare<image_header_t>("Header", 8, HeaderBytes);
   compare<frame_record_t>("Frame record", 8, FrameBytes);
   compare<prim_slot_t>("Lines", 1, SlotBytes);
+  compare<node_t>("Nodes", 1, NodeBytes);
   compare<attr_t>("Attributes", 1, AttrBytes);
   compare<hit_record_t>("Hit record", 8, HitBytes);
 }
