@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The nearest hit of each context. A result replaces what is held if its distance is smaller, or
 // equal with a lower primitive number: the outcome does not depend on the order of the results.
-// A new ray starts with its tmax and number 0, so a hit at exactly tmax is none.
+// A new ray starts with its tmax and number 0, so a hit at exactly tmax is none. Until a hit is found
+// u and v read as 0: the memories still hold those of the ray before.
 // One new ray or one result a cycle (never both); reads are combinational.
 // Model: cpp_model/traverse/nearest.hpp, equal bit for bit.
 module nearest
@@ -62,6 +63,6 @@ module nearest
   assign out_found_o = out_key.found;
   assign out_o = '{
     ctx: CtxW'(out_ctx_i), number: out_key.number, kind: out_key.kind, t: out_key.t,
-    u: u_q[out_ctx_i], v: v_q[out_ctx_i]
+    u: out_key.found ? u_q[out_ctx_i] : '0, v: out_key.found ? v_q[out_ctx_i] : '0
   };
 endmodule

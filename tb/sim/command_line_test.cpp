@@ -167,6 +167,12 @@ TEST_F(CommandLine, ShowsARay) {
   EXPECT_GT(fs::file_size(path("ray.fst")), 1000u);
 }
 
+TEST_F(CommandLine, ARayThatMissesDiffersInNothing) {
+  const Outcome outcome = run("ray scenes/cube.json 0 0 --size 24x16");
+  EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  for (const char* words : {"float64: primitive -1", "0 values differ"}) EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
+}
+
 TEST_F(CommandLine, TracesAWindow) {
   const std::string command = "render scenes/cube.json --size 8x8 -o " + path("a.png") + " --trace " + path("a.fst");
   ASSERT_EQ(run(command + " --trace-window 100:400").code, 0);

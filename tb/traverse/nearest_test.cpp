@@ -30,9 +30,9 @@ class NearestUnit : public testing::Test {
     dut_->out_ctx_i = ctx;
     dut_.settle();
     ASSERT_EQ(dut_->out_found_o, model.found());
-    if (!model.found()) return;
-    const auto got = get_port<result_t>(dut_->out_o);
-    EXPECT_EQ(to_text(got), to_text(model.best()));
+    result_t expected = model.best();
+    expected.ctx = static_cast<ctx_t>(ctx);
+    EXPECT_EQ(to_text(get_port<result_t>(dut_->out_o)), to_text(expected));
   }
   Dut<Vnearest> dut_;
 };
@@ -69,6 +69,13 @@ TEST_F(NearestUnit, AHitAtTmaxIsNone) {
   Nearest model(500);
   model.offer(result(0, 499, 9));
   expect(0, model);
+}
+
+TEST_F(NearestUnit, AMissHoldsNothingOfTheRayBefore) {
+  start(3, TMax);
+  offer(result(3, 1000, 77));
+  start(3, TMax);
+  expect(3, Nearest(TMax));
 }
 
 TEST_F(NearestUnit, NegativeDistancesAreNearer) {
