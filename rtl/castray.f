@@ -24,6 +24,7 @@ rtl/camera/ray_component.sv
 rtl/camera/ray_gen.sv
 rtl/camera/ray_setup.sv
 rtl/camera/tile_walk.sv
+rtl/camera/ray_source.sv
 rtl/isect/accept.sv
 rtl/isect/corner_delta.sv
 rtl/isect/edge_fns.sv
@@ -56,6 +57,8 @@ rtl/mem/job_loader.sv
 rtl/mem/prim_reader.sv
 rtl/mem/tile_gather.sv
 rtl/mem/tile_rows.sv
+rtl/traverse/traversal.sv
+rtl/shade/shading.sv
 rtl/axi/axi_lite_regs.sv
 rtl/axi/axi_reader.sv
 rtl/axi/axi_writer.sv

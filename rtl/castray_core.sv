@@ -3,11 +3,7 @@
 // README's data-flow diagram as code.
 //
 //   job_control - job_loader - frame_setup
-//   tile_walk -> ray_gen -> ray_setup -> ray_dispatch -> lane[Lanes] -> arb -+-> hit_writer
-//   prim_reader -> brute_walk -------------------------> (all lanes)         |
-//                        attr_cache -> shade ---+                            |
-//                            ^                  arb -> tile_gather           |
-//                            +--- background ---+---------------- found? <---+
+//   ray_source -> traversal -> shading -> frame and hit buffers
 //
 // Control: AXI4-Lite, docs/register-map.md. Memory: one AXI4 port of 128 bits.
 // The scene image: docs/scene-image.md. Model: cpp_model/core.cpp, equal bit for bit.
@@ -101,7 +97,6 @@ module castray_core
   image_header_t header;
   frame_record_t record;
   camera_t       camera;
-  paint_t        paint;
 
   axi_lite_regs #(.Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2)) u_regs (
     .clk_i, .rst_ni,
@@ -163,204 +158,64 @@ module castray_core
   );
 
   // ---- Camera ----
-  logic       tile_valid, tile_ready, px_valid, px_ready, dir_valid, dir_ready, ray_valid, ray_ready;
-  tile_t      tile;
-  pixel_tag_t px;
-  pixel_dir_t dir;
-  ray_t       ray;
+  logic  tile_valid, tile_ready, none_in_setup, exhausted, ray_valid, ray_ready;
+  tile_t tile;
+  ray_t  ray;
 
   frame_setup u_frame_setup (
     .clk_i, .rst_ni(datapath_rst_n),
     .start_i(setup_start), .record_i(record), .done_o(setup_done), .camera_o(camera)
   );
 
-  tile_walk #(.TileLog2(TileLog2), .Slots(Slots)) u_tile_walk (
+  ray_source #(.TileLog2(TileLog2), .Slots(Slots)) u_ray_source (
     .clk_i, .rst_ni(datapath_rst_n),
-    .start_i(walk_start), .job_i(job), .done_o(walk_done),
+    .start_i(walk_start), .job_i(job), .camera_i(camera),
+    .walk_done_o(walk_done), .none_in_setup_o(none_in_setup), .exhausted_o(exhausted),
     .tile_valid_o(tile_valid), .tile_ready_i(tile_ready), .tile_o(tile),
-    .out_valid_o(px_valid), .out_ready_i(px_ready), .out_o(px)
-  );
-
-  ray_gen u_ray_gen (
-    .clk_i, .rst_ni(datapath_rst_n), .camera_i(camera),
-    .in_valid_i(px_valid), .in_ready_o(px_ready), .in_i(px),
-    .out_valid_o(dir_valid), .out_ready_i(dir_ready), .out_o(dir)
-  );
-
-  ray_setup u_ray_setup (
-    .clk_i, .rst_ni(datapath_rst_n), .camera_i(camera),
-    .in_valid_i(dir_valid), .in_ready_o(dir_ready), .in_i(dir),
     .out_valid_o(ray_valid), .out_ready_i(ray_ready), .out_o(ray)
   );
 
-  // ---- Lanes ----
-  logic             exhausted, starved, none_in_setup, fill, emit;
-  logic [Lanes-1:0] lane_ray_valid, lane_ray_ready, full, quiet, lane_empty;
-  logic [Lanes-1:0] lane_hit_valid, lane_hit_ready, test_ready, test_event, cand_event;
-  logic [Lanes-1:0] lane_hit_found;
-  logic [CtxW:0]    used [Lanes];
-  hit_t             lane_hit [Lanes];
-  logic             slot_valid, slot_ready, reader_start, reader_done, brute_idle;
-  prim_slot_t       slot, test_prim;
-  logic             test_valid, test_step;
-  ctx_t             test_ctx;
-  logic             batch_event, test_stall, fetch_stall;
+  // ---- Hits ----
+  logic [Lanes-1:0] test_event, ray_event, hit_event, cand_event;
+  logic             batch_event, test_stall, fetch_stall, attr_hit, attr_miss;
+  logic             hit_valid, hit_ready, traversal_idle, coloured, shading_idle;
+  hit_t             hit;
 
-  ray_dispatch #(.Lanes(Lanes)) u_ray_dispatch (
+  traversal #(.Lanes(Lanes), .Contexts(Contexts)) u_traversal (
     .clk_i, .rst_ni(datapath_rst_n),
-    .restart_i(emit), .issued_i(px_valid && px_ready), .walk_done_i(walk_done),
-    .none_in_setup_o(none_in_setup), .exhausted_o(exhausted),
-    .in_valid_i(ray_valid), .in_ready_o(ray_ready),
-    .out_valid_o(lane_ray_valid), .out_ready_i(lane_ray_ready)
+    .lines_i(job.image + addr_t'(header.lines.offset)), .line_count_i(header.lines.count),
+    .primitives_i(header.primitives), .fault_o(fault),
+    .exhausted_i(exhausted), .starved_i(tile_valid && !tile_ready && none_in_setup && coloured),
+    .idle_o(traversal_idle),
+    .in_valid_i(ray_valid), .in_ready_o(ray_ready), .in_i(ray),
+    .out_valid_o(hit_valid), .out_ready_i(hit_ready), .out_o(hit),
+    .read_valid_o(read_valid[ReadPrimitive]), .read_ready_i(read_ready[ReadPrimitive]),
+    .read_o(read_req[ReadPrimitive]), .rsp_valid_i(rsp_valid[ReadPrimitive]), .rsp_i(rsp),
+    .test_o(test_event), .ray_o(ray_event), .hit_o(hit_event), .cand_o(cand_event),
+    .batch_o(batch_event), .test_stall_o(test_stall), .fetch_stall_o(fetch_stall)
   );
 
-  prim_reader u_prim_reader (
+  shading #(.TileLog2(TileLog2), .Slots(Slots), .AttrEntries(AttrEntries)) u_shading (
     .clk_i, .rst_ni(datapath_rst_n),
-    .start_i(reader_start), .base_i(job.image + addr_t'(header.lines.offset)),
-    .lines_i(header.lines.count), .primitives_i(header.primitives),
-    .done_o(reader_done), .fault_o(fault),
-    .req_valid_o(read_valid[ReadPrimitive]), .req_ready_i(read_ready[ReadPrimitive]),
-    .req_o(read_req[ReadPrimitive]),
-    .rsp_valid_i(rsp_valid[ReadPrimitive]), .rsp_i(rsp),
-    .out_valid_o(slot_valid), .out_ready_i(slot_ready), .out_o(slot)
-  );
-
-  brute_walk #(.Lanes(Lanes)) u_brute_walk (
-    .clk_i, .rst_ni(datapath_rst_n),
-    .exhausted_i(exhausted), .starved_i(starved),
-    .used_i(used[0]), .full_i(full), .quiet_i(quiet), .empty_i(lane_empty),
-    .fill_o(fill), .emit_o(emit),
-    .reader_start_o(reader_start), .reader_done_i(reader_done),
-    .prim_valid_i(slot_valid), .prim_ready_o(slot_ready), .prim_i(slot),
-    .test_valid_o(test_valid), .test_ready_i(test_ready),
-    .test_ctx_o(test_ctx), .test_prim_o(test_prim),
-    .idle_o(brute_idle), .batch_o(batch_event), .test_stall_o(test_stall),
-    .fetch_stall_o(fetch_stall)
-  );
-  assign test_step = &test_ready;
-
-  for (genvar i = 0; i < Lanes; i++) begin : g_lane
-    lane #(.Contexts(Contexts)) u_lane (
-      .clk_i, .rst_ni(datapath_rst_n), .fill_i(fill),
-      .ray_valid_i(lane_ray_valid[i]), .ray_ready_o(lane_ray_ready[i]), .ray_i(ray),
-      .test_valid_i(test_valid), .test_ready_o(test_ready[i]), .test_step_i(test_step),
-      .test_ctx_i(test_ctx), .test_prim_i(test_prim),
-      .emit_i(emit),
-      .hit_valid_o(lane_hit_valid[i]), .hit_ready_i(lane_hit_ready[i]), .hit_o(lane_hit[i]),
-      .used_o(used[i]), .full_o(full[i]), .empty_o(lane_empty[i]), .quiet_o(quiet[i]),
-      .test_o(test_event[i]), .cand_o(cand_event[i])
-    );
-    assign lane_hit_found[i] = lane_hit[i].found;
-  end
-
-  // ---- Hits: to the hit buffer when asked, and to the shader or past it ----
-  logic       merged_valid, merged_ready, hit_valid, hit_ready, record_valid, record_ready;
-  logic       colour_valid, colour_ready, found_valid, found_ready, miss_valid, miss_ready;
-  hit_t       merged;
-  hit_t       hit;
-
-  stream_arb #(.data_t(hit_t), .N(Lanes)) u_merge (
-    .clk_i, .rst_ni(datapath_rst_n),
-    .valid_i(lane_hit_valid), .ready_o(lane_hit_ready), .data_i(lane_hit),
-    .valid_o(merged_valid), .ready_i(merged_ready), .data_o(merged), .index_o()
-  );
-
-  pipe_cut #(.data_t(hit_t)) u_merged (
-    .clk_i, .rst_ni(datapath_rst_n),
-    .valid_i(merged_valid), .ready_o(merged_ready), .data_i(merged),
-    .valid_o(hit_valid), .ready_i(hit_ready), .data_o(hit)
-  );
-
-  stream_fork #(.N(2)) u_fork (
-    .clk_i, .rst_ni(datapath_rst_n),
-    .valid_i(hit_valid), .ready_o(hit_ready),
-    .valid_o({record_valid, colour_valid}), .ready_i({record_ready, colour_ready})
-  );
-
-  // Without a hit buffer every record is dropped here.
-  logic writer_ready, writer_take, records_idle;
-  assign record_ready = !job.want_hits || writer_ready;
-  assign writer_take  = record_valid && job.want_hits && writer_ready;
-
-  hit_writer u_hit_writer (
-    .clk_i, .rst_ni(datapath_rst_n), .base_i(job.hits), .width_i(job.width),
-    .in_valid_i(record_valid && job.want_hits), .in_ready_o(writer_ready), .in_i(hit),
-    .out_valid_o(write_valid[WriteHit]), .out_ready_i(write_ready[WriteHit]),
-    .out_o(write_req[WriteHit])
-  );
-
-  credit #(.Limit(15)) u_in_records (
-    .clk_i, .rst_ni(datapath_rst_n),
-    .take_i(writer_take), .give_i(write_valid[WriteHit] && write_ready[WriteHit]),
-    .available_o(), .idle_o(records_idle)
-  );
-
-  // ---- Shading ----
-  logic       shade_valid, shade_ready, done_valid, done_ready;
-  logic       lit_valid, lit_ready, back_valid, back_ready, attr_hit, attr_miss;
-  shade_req_t shade_req;
-  shaded_t    lit, back;
-  shaded_t    shaded;
-  logic       shade_idle, gather_idle;
-
-  assign found_valid  = colour_valid && hit.found;
-  assign miss_valid   = colour_valid && !hit.found;
-  assign colour_ready = hit.found ? found_ready : miss_ready;
-
-  frame_paint u_frame_paint (.record_i(record), .paint_o(paint));
-
-  attr_cache #(.Entries(AttrEntries)) u_attr_cache (
-    .clk_i, .rst_ni(datapath_rst_n), .base_i(job.image + addr_t'(header.attributes.offset)),
-    .in_valid_i(found_valid), .in_ready_o(found_ready), .in_i(hit),
-    .out_valid_o(shade_valid), .out_ready_i(shade_ready), .out_o(shade_req),
-    .req_valid_o(read_valid[ReadAttribute]), .req_ready_i(read_ready[ReadAttribute]),
-    .req_o(read_req[ReadAttribute]),
-    .rsp_valid_i(rsp_valid[ReadAttribute]), .rsp_i(rsp),
-    .hit_o(attr_hit), .miss_o(attr_miss)
-  );
-
-  shade u_shade (
-    .clk_i, .rst_ni(datapath_rst_n), .eye_i(camera.eye), .paint_i(paint),
-    .in_valid_i(shade_valid), .in_ready_o(shade_ready), .in_i(shade_req),
-    .out_valid_o(lit_valid), .out_ready_i(lit_ready), .out_o(lit)
-  );
-
-  background u_background (
-    .clk_i, .rst_ni(datapath_rst_n), .paint_i(paint),
-    .in_valid_i(miss_valid), .in_ready_o(miss_ready), .in_i(hit),
-    .out_valid_o(back_valid), .out_ready_i(back_ready), .out_o(back)
-  );
-
-  stream_arb #(.data_t(shaded_t), .N(2)) u_colours (
-    .clk_i, .rst_ni(datapath_rst_n),
-    .valid_i({lit_valid, back_valid}), .ready_o({lit_ready, back_ready}), .data_i('{back, lit}),
-    .valid_o(done_valid), .ready_i(done_ready), .data_o(shaded), .index_o()
-  );
-
-  tile_gather #(.TileLog2(TileLog2), .Slots(Slots)) u_tile_gather (
-    .clk_i, .rst_ni(datapath_rst_n), .base_i(job.frame), .stride_i(record.stride),
+    .job_i(job), .record_i(record), .eye_i(camera.eye),
+    .attributes_i(job.image + addr_t'(header.attributes.offset)),
     .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
-    .in_valid_i(done_valid), .in_ready_o(done_ready), .in_i(shaded),
-    .out_valid_o(write_valid[WritePixel]), .out_ready_i(write_ready[WritePixel]),
-    .out_o(write_req[WritePixel]),
-    .idle_o(gather_idle)
+    .in_valid_i(hit_valid), .in_ready_o(hit_ready), .in_i(hit),
+    .read_valid_o(read_valid[ReadAttribute]), .read_ready_i(read_ready[ReadAttribute]),
+    .read_o(read_req[ReadAttribute]), .rsp_valid_i(rsp_valid[ReadAttribute]), .rsp_i(rsp),
+    .pixel_valid_o(write_valid[WritePixel]), .pixel_ready_i(write_ready[WritePixel]),
+    .pixel_o(write_req[WritePixel]),
+    .record_valid_o(write_valid[WriteHit]), .record_ready_i(write_ready[WriteHit]),
+    .record_o(write_req[WriteHit]),
+    .coloured_o(coloured), .idle_o(shading_idle), .attr_hit_o(attr_hit), .attr_miss_o(attr_miss)
   );
-
-  // Hits between the lanes and the gather buffer.
-  credit #(.Limit(1023)) u_in_shade (
-    .clk_i, .rst_ni(datapath_rst_n),
-    .take_i(merged_valid && merged_ready), .give_i(done_valid && done_ready),
-    .available_o(), .idle_o(shade_idle)
-  );
-  assign starved = tile_valid && !tile_ready && none_in_setup && shade_idle;
-  assign empty   = brute_idle && shade_idle && gather_idle && records_idle && !hit_valid;
+  assign empty = traversal_idle && shading_idle;
 
   // ---- Counters ----
   counters #(.Lanes(Lanes)) u_counters (
     .clk_i, .rst_ni,
     .clear_i(start), .running_i(running),
-    .test_i(test_event), .ray_i(lane_ray_valid & lane_ray_ready),
-    .hit_i(lane_hit_found & lane_hit_valid & lane_hit_ready), .candidate_i(cand_event),
+    .test_i(test_event), .ray_i(ray_event), .hit_i(hit_event), .candidate_i(cand_event),
     .batch_i(batch_event), .test_stall_i(test_stall), .fetch_stall_i(fetch_stall),
     .attr_hit_i(attr_hit), .attr_miss_i(attr_miss),
     .read_beat_i(read_beat), .write_beat_i(write_beat),
