@@ -219,6 +219,18 @@ package castray_pkg;
   // A line of 64 bytes, counted from the image's start: an image has at most 4 GiB.
   localparam int unsigned LineNoW = 26;
   typedef logic [LineNoW-1:0] line_no_t;
+  typedef logic [4*DataW-1:0] line_data_t;
+  // The lines that a cache waits for have numbers: it asks for a line and gets it under one.
+  localparam int unsigned MissW = 4;
+  typedef logic [MissW-1:0]   miss_t;
+  typedef struct packed {
+    miss_t    miss;
+    line_no_t line;
+  } line_req_t;
+  typedef struct packed {
+    miss_t      miss;
+    line_data_t data;
+  } line_fill_t;
 
   // Clients of the read arbiter, in this order.
   localparam int unsigned ReadClients   = 3;
