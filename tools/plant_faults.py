@@ -67,7 +67,7 @@ def main():
             result = verdict(tree, fault, args.jobs)
             failed += result != "caught"
             print(f"[{number}/{len(faults)}] {fault['unit']:24} {result:12} {fault['why']}", flush=True)
-    print(f"{len(faults) - failed} passed, {failed} failed in {(time.monotonic() - start) / 60:.0f} minutes")
+    print(f"planted for {time.monotonic() - start:.0f} s\n{len(faults) - failed} passed, {failed} failed")
     sys.exit(failed != 0)
 
 
