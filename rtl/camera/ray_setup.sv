@@ -6,6 +6,7 @@
 //   s0              |S| = min(q, 1 - 2^-ShearFrac); sx, sy with their signs
 //   s1-s3           sx^2, sy^2                             exact
 //   s4              norm2 = round(1 + sx^2 + sy^2)         NormFrac bits, halves up
+// rx, ry are left zero: slab_setup's.
 // A zero direction: valid 0, sx = sy = 0, norm2 = 1, axis 0, neg 0.
 // One ray a cycle, in order; 4 + (ShearFrac + 3) + 5 stages. Four multipliers of 27x18.
 // Model: cpp_model/camera/ray_setup.hpp, equal bit for bit.
@@ -126,7 +127,7 @@ module ray_setup
   assign out_o = '{
     tag: rest_q[4].tag, org: camera_i.eye, sx: sx_q[4], sy: sy_q[4], norm2: norm2_q,
     axis: rest_q[4].axis, neg: rest_q[4].neg, valid: rest_q[4].valid,
-    cull: 1'b0, any_hit: 1'b0, tmin: '0, tmax: TMax, ignore: NoPrim
+    cull: 1'b0, any_hit: 1'b0, tmin: '0, tmax: TMax, ignore: NoPrim, rx: '0, ry: '0
   };
 
   logic unused_twin;    // the divisions move in step

@@ -26,7 +26,7 @@ module width_check
     $error("castray_cfg_pkg: NormFrac is %0d, it must be ShearFrac - 2", NormFrac);
   end
   if (DirFrac != 42 || UnitFrac != 16 || RootFrac != 5 || PrimW != 21 || CoordFieldW != 26
-      || SpanW != 29 || LineW != 22) begin : g_fixed
-    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, PrimW, CoordFieldW, SpanW, LineW are fixed: 42, 16, 5, 21, 26, 29, 22");
+      || SpanW != 29 || LineW != 22 || RecipW != 17 || DistW != 12) begin : g_fixed
+    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, PrimW, CoordFieldW, SpanW, LineW, RecipW, DistW are fixed: 42, 16, 5, 21, 26, 29, 22, 17, 12");
   end
 endmodule

@@ -24,6 +24,10 @@ package castray_cfg_pkg;
   localparam int unsigned ShearDivW = 32;
   // Fraction bits of a ray's direction before the division. Fixed.
   localparam int unsigned DirFrac = 42;
+  // Bits of the mantissa of 1 / |S|, its top one included. Fixed: with D's 27 bits a DSP is full.
+  localparam int unsigned RecipW = 17;
+  // Bits of a distance kept with a child that waits. Fixed: three such children fill a stack's frame.
+  localparam int unsigned DistW = 12;
   // Fraction bits of 1 + Sx^2 + Sy^2: without its top bit it is a shear of as many bits as another.
   localparam int unsigned NormFrac = ShearFrac - 2;
   // Fraction bits of a unit normal, a weight and a facing ratio. Fixed.

@@ -23,6 +23,7 @@ package castray_pkg;
   typedef logic [PrimW-1:0]                prim_t;
   typedef logic [CtxW-1:0]                 ctx_t;
   typedef logic [1:0]                      axis_t;     // 0 x, 1 y, 2 z
+  typedef logic [DistW-1:0]                dist_t;     // t[CoordW+TFrac-1 -: DistW] of a t_t, zero for a negative one
   typedef logic [11:0]                     pixel_t;    // column or row of a frame
 
   localparam prim_t  NoPrim = '1;
@@ -69,6 +70,16 @@ package castray_pkg;
     dir_t       dir;
   } pixel_dir_t;
 
+  // One over the magnitude of a component S of the shear, rounded down:
+  //   mant 2^(exp-16) <= 1 / |S| <= (mant + 1) 2^(exp-16)      2^16 <= mant
+  // zero: S is 0; then mant is 2^16 and exp 31, beyond any other.
+  typedef struct packed {
+    logic              zero;
+    logic              minus;   // S is negative
+    logic [4:0]        exp;
+    logic [RecipW-1:0] mant;
+  } recip_t;
+
   // A ray as a lane sees it: origin, shear on permuted axes, dominant axis and its sign.
   typedef struct packed {
     pixel_tag_t tag;
@@ -84,6 +95,8 @@ package castray_pkg;
     t_t         tmin;     // hits lie strictly between tmin and tmax
     t_t         tmax;
     prim_t      ignore;   // this primitive is not hit; NoPrim: none
+    recip_t     rx;       // of sx and sy, filled in by slab_setup
+    recip_t     ry;
   } ray_t;
 
   // ---- Primitives ----
@@ -108,6 +121,28 @@ package castray_pkg;
     logic [1:0] kind;
     line_t      index;
   } ref_t;
+
+  // What the node pipe needs of a ray.
+  typedef struct packed {
+    point_t org;
+    axis_t  axis;
+    logic   neg;
+    recip_t rx;
+    recip_t ry;
+    t_t     tmin;
+  } slab_ray_t;
+
+  // A child still to be visited, and the least t of what its box holds, margin included: the child
+  // may be dropped if that is greater than the upper bits of the nearest t.
+  typedef struct packed {
+    dist_t least;
+    ref_t  target;
+  } entry_t;
+
+  // The children of a node that a ray visits, e0 first; RefNone and zero behind the last.
+  typedef struct packed {
+    entry_t e3, e2, e1, e0;
+  } visits_t;
 
   // What the primitive pipe needs of a ray.
   typedef struct packed {
