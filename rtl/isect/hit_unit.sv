@@ -8,8 +8,8 @@
 //   div_pipe   operands of HitDivW bits, BaryFrac fraction bits, nearest
 //   tail       hit_distance
 // One triangle every two cycles; a sphere blocks the front while its root is taken. The tail never
-// stalls: a result is always taken. retire_o: a candidate is finished, whether emitted or not.
-// out_valid_o comes with retire_o, at most every second cycle, in order. 2 DSPs.
+// stalls: a result is always taken. retire_o: the candidate of out_o.ctx is finished, whether emitted
+// or not. out_valid_o comes with retire_o, at most every second cycle, in order. 2 DSPs.
 // Model: cpp_model/isect/hit_unit.hpp, equal bit for bit.
 module hit_unit
   import castray_cfg_pkg::*, castray_pkg::*;

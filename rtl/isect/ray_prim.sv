@@ -10,8 +10,8 @@
 //   s10     wait for the spheres                      disc, accepted if not negative
 //   s11     out
 // One test a cycle, 11 cycles from in_valid_i to out_valid_o or retire_o (never both), never
-// stalls. An empty slot (NoPrim), and a sphere of radius 0 or of 2^(CoordW-1) and more, is never accepted.
-// 28 DSPs. What only an accepted test needs again waits in small memories, not in every stage.
+// stalls; out_o.ctx is the test's either way. An empty slot (NoPrim), and a sphere of radius 0 or
+// of 2^(CoordW-1) and more, is never accepted. 28 DSPs. What only an accepted test needs again waits in small memories, not in every stage.
 // Model: cpp_model/isect/ray_prim.hpp, equal bit for bit.
 module ray_prim
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -95,7 +95,6 @@ module ray_prim
   localparam int unsigned Places = 1 << PlaceW;
   typedef logic [PlaceW-1:0] place_t;
   typedef struct packed {
-    ctx_t   ctx;
     prim_t  number;
     delta_t cz;
   } kept_t;
@@ -104,6 +103,7 @@ module ray_prim
   } kept_shear_t;
 
   place_t       place_q;
+  ctx_t         kept_ctx_q [Places];     // of any test
   kept_t        kept_q [Places];
   typedef struct packed {
     delta_t az, bz;
@@ -117,8 +117,9 @@ module ray_prim
     else place_q <= place_q + 1'b1;
   end
   always_ff @(posedge clk_i) begin
+    if (test[0]) kept_ctx_q[place_q] <= in_ctx_i;
     if (live[0]) begin
-      kept_q[place_q]   <= '{ctx: in_ctx_i, number: in_prim_i.number, cz: is_sphere ? az : cz};
+      kept_q[place_q]   <= '{number: in_prim_i.number, cz: is_sphere ? az : cz};
       kept_z_q[place_q] <= '{az: az, bz: bz};
     end
     if (live[0] && sphere[0]) begin
@@ -215,8 +216,8 @@ module ray_prim
     end
   end
   always_ff @(posedge clk_i) begin
+    if (test[Stages-1]) out_o.ctx <= kept_ctx_q[place_q - place_t'(Stages - 1)];
     if (accepted10) begin
-      out_o.ctx    <= kept10.ctx;
       out_o.number <= kept10.number;
       out_o.kind   <= sphere10 ? KindSphere : KindTriangle;
       out_o.u      <= sphere10 ? '0 : u10_q;

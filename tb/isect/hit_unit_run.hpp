@@ -57,6 +57,7 @@ inline Outcome run(const std::vector<HitCase>& cases, Stalls stalls = {}, unsign
       result_t want;
       const bool emitted = hit_unit(c.cand, c.ray, want);
       const result_t got = get_port<result_t>(dut->out_o);
+      EXPECT_EQ(got.ctx, c.cand.ctx);
       const bool same = emitted == bool(dut->out_valid_o) && (!emitted || want == got);
       if (emitted) result.out.push_back(got);
       EXPECT_TRUE(same) << "cand  " << to_text(c.cand) << "\nray   " << to_text(c.ray) << "\nmodel " << emitted << " "

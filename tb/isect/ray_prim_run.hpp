@@ -38,6 +38,7 @@ inline Sent run(const std::vector<PrimCase>& cases, Stalls stalls = {}, unsigned
       cand_t want;
       const bool accepted = ray_prim(c.ray, c.prim, c.ctx, want);
       ++(accepted ? sent.accepted : sent.missed);
+      EXPECT_EQ(get_port<cand_t>(dut->out_o).ctx, c.ctx);
       const bool same = accepted == bool(dut->out_valid_o) && (!accepted || want == get_port<cand_t>(dut->out_o));
       EXPECT_TRUE(same) << "ray  " << to_text(c.ray) << "\nprim " << to_text(c.prim) << "\nmodel " << accepted << " "
                         << to_text(want) << "\nRTL   " << bool(dut->out_valid_o) << " "
