@@ -36,10 +36,12 @@ rtl/isect/ray_prim.sv
 rtl/isect/shear.sv
 rtl/isect/sphere_disc.sv
 rtl/traverse/brute_walk.sv
+rtl/traverse/frame_stack.sv
 rtl/traverse/lane.sv
 rtl/traverse/nearest.sv
 rtl/traverse/ray_dispatch.sv
 rtl/traverse/ray_store.sv
+rtl/traverse/step.sv
 rtl/shade/background.sv
 rtl/shade/dot3.sv
 rtl/shade/frame_paint.sv

@@ -144,6 +144,19 @@ package castray_pkg;
     entry_t e3, e2, e1, e0;
   } visits_t;
 
+  // Where a ray starts: one reference or two; a ray that starts nowhere hits nothing.
+  typedef struct packed {
+    ref_t second;
+    ref_t first;
+  } start_t;
+
+  // Children left behind on a ray's stack, near to far; RefNone ends them.
+  typedef struct packed { entry_t e2, e1, e0; } frame_t;
+
+  // What was done for a ray: the nodes it visited, and its tests, at most eight for each node.
+  typedef logic [23:0] steps_t;
+  typedef logic [26:0] tests_t;
+
   // What the primitive pipe needs of a ray.
   typedef struct packed {
     point_t org;

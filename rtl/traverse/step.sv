@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where each context of the hierarchy goes next. A context has one thing under way: a node, a leaf
+// or a decision here. So whatever comes is taken, and nothing can overflow. A decision:
+//   children found     to the nearest; the others are left behind, near to far, as a frame on the
+//                      context's stack
+//   none (a node whose boxes are all missed, a leaf, a ray that starts nowhere)
+//                      to the top frame's first entry, which leaves the frame. If it lies beyond
+//                      the reach, so do those behind it: the frame is dropped, and the context
+//                      decides again
+//   empty stack, or stop_i     the context is done
+// A level of the hierarchy leaves at most one frame, so a stack of StackDepth frames is enough for
+// as many levels; one more is ErrStack, one node more than limit_i is ErrSteps. Such a context ends
+// without done.
+//   s0  chosen: children of a node, else who decides again, else a leaf, else a new ray
+//   s1  decided: at reach_i and stop_i of ask_ctx_o
+// One decision a cycle; an output belongs into a queue, where it is seen two cycles after its cause.
+// Model: cpp_model/traverse/step.hpp, equal bit for bit.
+module step
+  import castray_cfg_pkg::*, castray_pkg::*;
+#(
+  parameter int unsigned Contexts   = 32,
+  parameter int unsigned StackDepth = 32
+) (
+  input  logic    clk_i,
+  input  logic    rst_ni,
+  input  steps_t  limit_i,
+
+  input  logic    start_valid_i,   // a new ray
+  output logic    start_ready_o,
+  input  ctx_t    start_ctx_i,
+  input  start_t  start_i,
+
+  input  logic    node_valid_i,    // a node's children
+  input  ctx_t    node_ctx_i,
+  input  visits_t node_i,
+
+  input  logic    leaf_valid_i,    // the tests of a leaf are over
+  input  ctx_t    leaf_ctx_i,
+
+  output ctx_t    ask_ctx_o,
+  input  dist_t   reach_i,         // entries beyond its nearest hit are not visited
+  input  logic    stop_i,          // it has a hit, and any will do
+
+  output ctx_t    out_ctx_o,
+  output logic    node_valid_o,    // to a node, in memory or of a tile
+  output logic    leaf_valid_o,    // to a leaf
+  output ref_t    out_ref_o,
+  output logic    done_valid_o,
+  output error_t  fault_o,
+
+  input  ctx_t    count_ctx_i,
+  output steps_t  count_o          // nodes it visited
+);
+  localparam int unsigned IdxW       = (Contexts > 1) ? $clog2(Contexts) : 1;
+  localparam int unsigned QueueDepth = (Contexts > 1) ? Contexts : 2;
+  localparam ref_t   Nowhere   = '{kind: RefNone, index: '0};
+  localparam entry_t NoEntry   = '{least: '0, target: Nowhere};
+
+  // ---- Who waits for a decision: leaves, and contexts whose frame was dropped ----
+  logic again, again_valid, again_ready, leaf_valid, leaf_ready;
+  ctx_t again_ctx, leaf_ctx;
+
+  stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_again (
+    .clk_i, .rst_ni, .used_o(),
+    .valid_i(again), .ready_o(), .data_i(out_ctx_o),
+    .valid_o(again_valid), .ready_i(again_ready), .data_o(again_ctx)
+  );
+  stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_leaves (
+    .clk_i, .rst_ni, .used_o(),
+    .valid_i(leaf_valid_i), .ready_o(), .data_i(leaf_ctx_i),
+    .valid_o(leaf_valid), .ready_i(leaf_ready), .data_o(leaf_ctx)
+  );
+
+  // ---- s0 ----
+  typedef struct packed {
+    ctx_t    ctx;
+    logic    fresh;      // a new ray
+    visits_t visits;
+  } choice_t;
+  choice_t s0, s1_q;
+  logic    s0_valid, s1_valid_q;
+
+  assign again_ready   = !node_valid_i;
+  assign leaf_ready    = again_ready && !again_valid;
+  assign start_ready_o = leaf_ready && !leaf_valid;
+  assign s0_valid      = node_valid_i || again_valid || leaf_valid || start_valid_i;
+
+  always_comb begin
+    s0 = '{ctx: start_ctx_i, fresh: 1'b0, visits: '{default: NoEntry}};
+    if (node_valid_i) begin
+      s0.ctx    = node_ctx_i;
+      s0.visits = node_i;
+    end else if (again_valid) begin
+      s0.ctx = again_ctx;
+    end else if (leaf_valid) begin
+      s0.ctx = leaf_ctx;
+    end else begin
+      s0.fresh            = 1'b1;
+      s0.visits.e0.target = start_i.first;
+      s0.visits.e1.target = start_i.second;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) s1_valid_q <= 1'b0;
+    else s1_valid_q <= s0_valid;
+  end
+  always_ff @(posedge clk_i) begin
+    if (s0_valid) s1_q <= s0;
+  end
+
+  // ---- s1 ----
+  frame_t  top;
+  visits_t visits;
+  logic    empty, full, forward, leave, back, last, finish, overflow, is_node, over;
+  steps_t  nodes;
+  ref_t    target;
+
+  assign visits    = s1_q.visits;
+  assign ask_ctx_o = s1_q.ctx;
+  assign forward   = s1_valid_q && visits.e0.target.kind != RefNone;
+  assign leave     = forward && visits.e1.target.kind != RefNone;     // others are left behind
+  assign finish    = s1_valid_q && !forward && (empty || stop_i);
+  assign again     = s1_valid_q && !forward && !finish && top.e0.least > reach_i;
+  assign back      = s1_valid_q && !forward && !finish && !again;
+  assign last      = top.e1.target.kind == RefNone;                    // the frame's only entry
+  assign overflow  = leave && full;
+  assign target    = forward ? visits.e0.target : top.e0.target;
+  assign is_node   = (forward || back) && target.kind != RefLeaf;
+  assign over      = is_node && nodes >= limit_i;
+
+  frame_stack #(.Contexts(Contexts), .Depth(StackDepth)) u_stack (
+    .clk_i, .rst_ni,
+    .look_i(s0_valid), .look_ctx_i(IdxW'(s0.ctx)), .look_new_i(s0.fresh),
+    .top_o(top), .empty_o(empty), .full_o(full),
+    .push_i(leave && !full), .replace_i(back && !last), .drop_i(again || (back && last)),
+    .frame_i(leave ? {visits.e3, visits.e2, visits.e1} : {NoEntry, top.e2, top.e1})
+  );
+
+  steps_t nodes_q [Contexts];
+  assign nodes   = s1_q.fresh ? '0 : nodes_q[IdxW'(s1_q.ctx)];
+  assign count_o = nodes_q[IdxW'(count_ctx_i)];
+  always_ff @(posedge clk_i) begin
+    if (s1_valid_q) nodes_q[IdxW'(s1_q.ctx)] <= nodes + steps_t'(is_node);
+  end
+
+  assign out_ctx_o    = s1_q.ctx;
+  assign out_ref_o    = target;
+  assign node_valid_o = is_node && !over && !overflow;
+  assign leaf_valid_o = (forward || back) && target.kind == RefLeaf && !overflow;
+  assign done_valid_o = finish;
+  assign fault_o      = overflow ? ErrStack : over ? ErrSteps : ErrNone;
+endmodule
