@@ -13,10 +13,10 @@ module castray_core
   import castray_image_pkg::*;
   import castray_reg_pkg::*;
 #(
-  parameter int unsigned Lanes       = 3,    // 1 to 8
-  parameter int unsigned Contexts    = 32,   // rays in flight in each lane, 1 to 64
-  parameter int unsigned TileLog2    = 3,    // tiles of 4x4, 8x8 or 16x16 pixels: 2, 3 or 4
-  parameter int unsigned AttrEntries = 128   // places of the attribute cache
+  parameter int unsigned Lanes       = DefaultLanes,
+  parameter int unsigned Contexts    = DefaultContexts,
+  parameter int unsigned TileLog2    = DefaultTileLog2,
+  parameter int unsigned AttrEntries = DefaultAttrEntries
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
@@ -83,9 +83,7 @@ module castray_core
     $error("castray_core: TileLog2 must be 2, 3 or 4");
   end
 
-  // Tiles in flight: those of all contexts, and some to walk ahead and to write behind.
-  localparam int unsigned TilePixels = 1 << (2 * TileLog2);
-  localparam int unsigned Slots      = (Lanes * Contexts + TilePixels - 1) / TilePixels + 4;
+  localparam int unsigned Slots = tile_slots(Lanes, Contexts, TileLog2);
 
   // ---- Control ----
   logic          start, running, done, datapath_rst_n, block;

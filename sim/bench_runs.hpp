@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "castray_records.hpp"
+
 namespace castray::bench {
 
 using Json = nlohmann::ordered_json;
@@ -18,9 +20,9 @@ struct Frame {
 };
 
 struct Core {
-  int lanes = 3;
-  int contexts = 32;
-  int tile_log2 = 3;
+  int lanes = DefaultLanes;
+  int contexts = DefaultContexts;
+  int tile_log2 = DefaultTileLog2;
   bool z_order = false;
   bool hits = true;            // the hit buffer is written
   std::string stalls = "none";

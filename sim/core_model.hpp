@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "axi_memory.hpp"
+#include "castray_records.hpp"
 
 namespace castray::sim {
 
 struct CoreVariant {
-  int lanes = 3;
-  int contexts = 32;
-  int tile_log2 = 3;
+  int lanes = DefaultLanes;
+  int contexts = DefaultContexts;
+  int tile_log2 = DefaultTileLog2;
   auto operator<=>(const CoreVariant&) const = default;
 
   std::string file() const;  // l3c32t3.so

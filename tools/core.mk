@@ -3,7 +3,8 @@
 #
 # A variant is named by its parameters: l3c32t3 has 3 lanes, 32 contexts each and tiles of 2^3 pixels
 # a side. build/cores/<variant>.so is loaded by name when a program asks for it.
-CORES_RENDER := l3c32t3
+default_of   = $(shell sed -n 's/.*unsigned Default$(1) *= \([0-9]*\);.*/\1/p' rtl/pkg/castray_cfg_pkg.sv)
+CORES_RENDER := l$(call default_of,Lanes)c$(call default_of,Contexts)t$(call default_of,TileLog2)
 CORES_TEST   := l1c32t3 l2c32t3 l3c32t3 l4c32t3
 CORES_BENCH  := $(CORES_TEST) l1c1t3 l8c32t3 l3c32t2 l3c32t4
 cores_files   = $(1:%=$(BUILD)/cores/%.so)

@@ -3,8 +3,8 @@
 """Turn the SystemVerilog packages into one C++ header: constants, formats and records.
 
 The packages are the one place where a width, an offset or a field order is written. This reads
-the small subset they use (localparam, typedef logic / enum / struct packed) and stops with the
-file and line of anything else.
+the small subset they use (localparam, typedef logic / enum / struct packed), leaves functions to
+the RTL, and stops with the file and line of anything else.
 """
 import argparse
 import pathlib
@@ -92,6 +92,7 @@ class Packages:
             (r"\s*typedef\s+struct\s+packed\s*\{(.*?)\}\s*(\w+)\s*;", "struct"),
             (r"\s*typedef\s+enum\s+(logic\s*\[[^\]]*\])\s*\{(.*?)\}\s*(\w+)\s*;", "enum"),
             (r"\s*typedef\s+(logic[^;{]*?)\s+(\w+)\s*;", "format"),
+            (r"\s*function\b.*?\bendfunction\b", "function"),
             (r"\s+$", "end"),
         ]
         while pos < len(body):

@@ -14,11 +14,11 @@
 // every response is OKAY. One access in three cycles, reads and writes independent of each other.
 // Model: cpp_model/axi/axi_lite_regs.hpp (the job from the argument registers).
 module axi_lite_regs
-  import castray_pkg::*, castray_reg_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*, castray_reg_pkg::*;
 #(
-  parameter int unsigned Lanes    = 3,
-  parameter int unsigned Contexts = 64,
-  parameter int unsigned TileLog2 = 3
+  parameter int unsigned Lanes    = DefaultLanes,
+  parameter int unsigned Contexts = DefaultContexts,
+  parameter int unsigned TileLog2 = DefaultTileLog2
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,

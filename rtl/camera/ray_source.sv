@@ -3,10 +3,11 @@
 // One ray a cycle, in the walk's order; a tile is offered to the gather before its pixels come.
 // Model: ray_setup(ray_gen(pixel)) over the pixels of cpp_model/camera/tile_walk.hpp, equal bit for bit.
 module ray_source
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned TileLog2 = 3,
-  parameter int unsigned Slots    = 16
+  parameter int unsigned TileLog2 = DefaultTileLog2,
+  parameter int unsigned Slots    = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)
 ) (
   input  logic    clk_i,
   input  logic    rst_ni,

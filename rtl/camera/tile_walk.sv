@@ -11,10 +11,11 @@
 // done_o: a level, from after the last pixel was taken until the next start.
 // An empty window is done at once. Model: cpp_model/camera/tile_walk.hpp, same order.
 module tile_walk
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned TileLog2 = 3,
-  parameter int unsigned Slots    = 16
+  parameter int unsigned TileLog2 = DefaultTileLog2,
+  parameter int unsigned Slots    = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,

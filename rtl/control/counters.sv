@@ -3,9 +3,10 @@
 // lanes, registered, then added: a count is right two cycles after its event.
 // A counter is CountW bits wide and reads as 64.
 module counters
+  import castray_cfg_pkg::*;
   import castray_reg_pkg::*;
 #(
-  parameter int unsigned Lanes  = 3,
+  parameter int unsigned Lanes  = DefaultLanes,
   parameter int unsigned CountW = 48
 ) (
   input  logic             clk_i,

@@ -16,11 +16,12 @@
 // One hit every two cycles, in order; latency 5 cycles where nothing waits.
 // Model of hit_o and miss_o: cpp_model/mem/attr_cache.hpp.
 module attr_cache
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned Entries = 128,
-  parameter int unsigned Misses  = 16,
+  parameter int unsigned Entries = DefaultAttrEntries,
+  parameter int unsigned Misses  = DefaultAttrMisses,
   parameter int unsigned Queue   = 32
 ) (
   input  logic       clk_i,

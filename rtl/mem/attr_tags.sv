@@ -8,11 +8,12 @@
 // One lookup every two cycles. The result is offered with its number: both are taken together.
 // Model: cpp_model/mem/attr_cache.hpp.
 module attr_tags
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned Entries = 128,
-  parameter int unsigned Misses  = 16,
+  parameter int unsigned Entries = DefaultAttrEntries,
+  parameter int unsigned Misses  = DefaultAttrMisses,
   localparam int unsigned PlaceW = $clog2(Entries)
 ) (
   input  logic              clk_i,

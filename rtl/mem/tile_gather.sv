@@ -8,10 +8,11 @@
 // Each pixel of a requested tile comes once, and after its request; nothing else comes.
 // The model of the whole frame writes pixels one by one; this unit has no arithmetic of its own.
 module tile_gather
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned TileLog2 = 3,
-  parameter int unsigned Slots    = 16
+  parameter int unsigned TileLog2 = DefaultTileLog2,
+  parameter int unsigned Slots    = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,

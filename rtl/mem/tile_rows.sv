@@ -8,10 +8,11 @@
 //                       on slot_o
 // A row takes Size/4 + 2 cycles and a tile 3 more: at most 15 of 16 for a tile of 4 x 4.
 module tile_rows
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned TileLog2 = 3
+  parameter int unsigned TileLog2 = DefaultTileLog2
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,

@@ -42,4 +42,17 @@ package castray_cfg_pkg;
   localparam int unsigned LineW = 22;
   // A context's number: up to 64 contexts a lane.
   localparam int unsigned CtxW = 6;
+
+  // ---- The parameters of castray_core: what they are where nothing else is asked for ----
+  localparam int unsigned DefaultLanes       = 3;    // 1 to 8
+  localparam int unsigned DefaultContexts    = 32;   // rays in flight in each lane, 1 to 2^CtxW
+  localparam int unsigned DefaultTileLog2    = 3;    // tiles of 4x4, 8x8 or 16x16 pixels: 2, 3 or 4
+  localparam int unsigned DefaultAttrEntries = 128;  // places of the attribute cache
+  localparam int unsigned DefaultAttrMisses  = 16;   // its lines outstanding
+
+  // Tiles in flight: those of all contexts, and some to walk ahead and to write behind.
+  localparam int unsigned SpareSlots = 4;
+  function automatic int unsigned tile_slots(int unsigned lanes, int unsigned contexts, int unsigned tile_log2);
+    return ((lanes * contexts - 1) >> (2 * tile_log2)) + 1 + SpareSlots;
+  endfunction
 endpackage

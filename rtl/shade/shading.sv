@@ -10,12 +10,13 @@
 // stands still from the first tile until idle.
 // Model: cpp_model/core.cpp (colour_of, render_row), equal bit for bit.
 module shading
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned TileLog2    = 3,
-  parameter int unsigned Slots       = 16,
-  parameter int unsigned AttrEntries = 128
+  parameter int unsigned TileLog2    = DefaultTileLog2,
+  parameter int unsigned Slots       = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2),
+  parameter int unsigned AttrEntries = DefaultAttrEntries
 ) (
   input  logic          clk_i,
   input  logic          rst_ni,

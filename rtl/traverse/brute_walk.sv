@@ -13,7 +13,7 @@ module brute_walk
   import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned Lanes = 3
+  parameter int unsigned Lanes = DefaultLanes
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,

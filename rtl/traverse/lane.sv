@@ -13,7 +13,7 @@ module lane
   import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned Contexts = 32
+  parameter int unsigned Contexts = DefaultContexts
 ) (
   input  logic        clk_i,
   input  logic        rst_ni,

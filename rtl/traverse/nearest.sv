@@ -9,7 +9,7 @@ module nearest
   import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned Contexts = 32,
+  parameter int unsigned Contexts = DefaultContexts,
   localparam int unsigned IdxW = (Contexts > 1) ? $clog2(Contexts) : 1
 ) (
   input  logic            clk_i,

@@ -3,8 +3,10 @@
 // never has fewer than another (restart_i: a batch has ended).
 // Only the handshake passes here, combinational, one ray a cycle.
 // Model: cpp_model/core.cpp, where the order of rays does not matter.
-module ray_dispatch #(
-  parameter int unsigned Lanes = 3
+module ray_dispatch
+  import castray_cfg_pkg::*;
+#(
+  parameter int unsigned Lanes = DefaultLanes
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,

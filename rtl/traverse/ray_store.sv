@@ -2,9 +2,10 @@
 // The rays of a lane's contexts, in distributed memory addressed by context number: one write and
 // three reads a cycle, each for another unit. Reads are combinational.
 module ray_store
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned Contexts = 32,
+  parameter int unsigned Contexts = DefaultContexts,
   localparam int unsigned IdxW = (Contexts > 1) ? $clog2(Contexts) : 1
 ) (
   input  logic            clk_i,

@@ -12,8 +12,8 @@ module traversal
   import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned Lanes    = 3,
-  parameter int unsigned Contexts = 32
+  parameter int unsigned Lanes    = DefaultLanes,
+  parameter int unsigned Contexts = DefaultContexts
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,

@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "castray_records.hpp"
 #include "command.hpp"
 #include "rtl_device.hpp"
 #include "scene/scene.hpp"
@@ -20,9 +21,9 @@ struct SceneArguments {
 };
 
 struct CoreArguments {
-  int lanes = 3;
-  int contexts = 32;
-  int tile = 8;
+  int lanes = DefaultLanes;
+  int contexts = DefaultContexts;
+  int tile = 1 << DefaultTileLog2;
   std::string memory = "reference";
   std::string stalls = "none";
   bool reorder = false;
