@@ -10,14 +10,12 @@
 #include "camera/frame_setup.hpp"
 #include "camera/ray_gen.hpp"
 #include "camera/ray_setup.hpp"
-#include "isect/hit_unit.hpp"
-#include "isect/ray_prim.hpp"
 #include "mem/hit_record.hpp"
 #include "mem/image.hpp"
 #include "mem/prim_reader.hpp"
 #include "shade/paint.hpp"
 #include "shade/shade.hpp"
-#include "traverse/nearest.hpp"
+#include "traverse/lane.hpp"
 
 namespace castray {
 namespace {
@@ -44,59 +42,15 @@ Loaded load(const job_t& job, const Windows& windows) {
   return loaded;
 }
 
-test_ray_t test_ray_of(const ray_t& ray) {
-  test_ray_t test;
-  test.org = ray.org;
-  test.sx = ray.sx;
-  test.sy = ray.sy;
-  test.norm2 = ray.norm2;
-  test.axis = ray.axis;
-  test.neg = ray.neg;
-  test.cull = ray.cull;
-  return test;
-}
-
-hit_ray_t hit_ray_of(const ray_t& ray) {
-  hit_ray_t hit_ray;
-  hit_ray.norm2 = ray.norm2;
-  hit_ray.neg = ray.neg;
-  hit_ray.cull = ray.cull;
-  hit_ray.tmin = ray.tmin;
-  return hit_ray;
-}
-
-// A lane's work for one ray. `seen(cand, result or null)` is told of each accepted primitive.
-template <class Seen>
-hit_t cast(const ray_t& ray, const std::vector<prim_slot_t>& slots, WorkCounters& counters, Seen&& seen) {
-  const test_ray_t test = test_ray_of(ray);
-  const hit_ray_t hit_ray = hit_ray_of(ray);
-  Nearest nearest(ray.tmax);
-  cand_t cand;
-  result_t result;
-  for (const prim_slot_t& slot : slots) {
-    if (!ray.valid || slot.number == ray.ignore) continue;
-    ++counters.tests;
-    if (!ray_prim(test, slot, 0, cand)) continue;
+// A lane's work for one ray, and what it adds to the counters.
+template <class Accepted>
+hit_t cast(const ray_t& ray, const std::vector<prim_slot_t>& slots, WorkCounters& counters, Accepted&& accepted) {
+  const hit_t hit = lane(ray, slots, counters.tests, [&](const cand_t& cand, const result_t* result) {
     ++counters.candidates;
-    const bool beyond = hit_unit(cand, hit_ray, result);
-    if (beyond) nearest.offer(result);
-    seen(cand, beyond ? &result : nullptr);
-  }
+    accepted(cand, result);
+  });
   ++counters.rays;
-  counters.hits += nearest.found();
-
-  hit_t hit;
-  hit.tag = ray.tag;
-  hit.found = nearest.found();
-  hit.kind = nearest.best().kind;
-  hit.number = nearest.best().number;
-  hit.t = nearest.best().t;
-  hit.u = nearest.best().u;
-  hit.v = nearest.best().v;
-  hit.sx = ray.sx;
-  hit.sy = ray.sy;
-  hit.axis = ray.axis;
-  hit.neg = ray.neg;
+  counters.hits += hit.found;
   return hit;
 }
 
@@ -120,10 +74,7 @@ void render_row(int y, const job_t& job, const Loaded& loaded, const Windows& wi
     const std::uint32_t colour = static_cast<std::uint32_t>(colour_of(hit, loaded, windows).colour);
     std::memcpy(&windows.frame[static_cast<std::size_t>(y) * loaded.record.stride + static_cast<std::size_t>(x) * PixelBytes],
                 &colour, PixelBytes);
-    if (job.want_hits) {
-      const std::size_t index = static_cast<std::size_t>(y) * job.width + static_cast<std::size_t>(x);
-      store_record(&windows.hits[index * HitBytes], hit_record(hit));
-    }
+    if (job.want_hits) store_record(&windows.hits[hit_offset(hit.tag, job.width)], hit_record(hit));
   }
 }
 

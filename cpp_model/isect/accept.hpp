@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does the ray pass through the triangle?
+// Mirrors rtl/isect/accept.sv: does the ray pass through the triangle?
 #pragma once
 #include "isect/edge_fns.hpp"
 

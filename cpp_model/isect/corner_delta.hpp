@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A position seen from the ray's origin, on axes permuted so that the dominant one comes last.
+// Mirrors rtl/isect/corner_delta.sv: a position seen from the ray's origin, on axes permuted so that
+// the dominant one comes last. And rtl/shade/unpermute.sv: the way back.
 #pragma once
 #include "fixed.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three edge functions of a sheared triangle and the side of each edge on which the ray lies.
+// Mirrors rtl/isect/edge_fns.sv: the three edge functions of a sheared triangle and the side of each
+// edge on which the ray lies.
 #pragma once
 #include "isect/shear.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From two quotients to the distance along the ray.
+// Mirrors rtl/isect/hit_distance.sv: from two quotients to the distance along the ray.
 #pragma once
 #include "isect/hit_norm.hpp"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a candidate to two divisions: u and v of a triangle, or the near and the far distance of a
-// sphere. The quotient times `scale` is what each adds to the distance.
+// Mirrors rtl/isect/hit_norm.sv: from a candidate to two divisions, u and v of a triangle.
 #pragma once
 #include "fixed.hpp"
 
 namespace castray {
 
+// Two divisions; the quotient times `scale` is what each adds to the distance.
 struct quotient_job_t {
   std::uint64_t num0 = 0, num1 = 0, den = 0;  // HitDivW bits, num <= den, den has its top bit set
   std::int64_t scale0 = 0, scale1 = 0;        // steps (triangle), or +-2^k quarter steps (sphere)

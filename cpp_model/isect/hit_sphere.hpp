@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two divisions of a sphere: (b - root) / norm2 and (b + root) / norm2, in quarter steps.
+// Mirrors rtl/isect/hit_sphere.sv: the two divisions of a sphere, (b - root) / norm2 and (b + root) / norm2, in quarter steps.
 #pragma once
 #include <algorithm>
 

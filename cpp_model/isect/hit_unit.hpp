@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distance of an accepted primitive, and where on it. RTL: rtl/isect/hit_unit.sv, equal bit
-// for bit.
+// Mirrors rtl/isect/hit_unit.sv: the distance of an accepted primitive, and where on it.
 #pragma once
 #include "isect/hit_distance.hpp"
 #include "isect/hit_sphere.hpp"

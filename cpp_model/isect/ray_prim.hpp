@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One ray against one primitive, exactly. RTL: rtl/isect/ray_prim.sv, equal bit for bit.
+// Mirrors rtl/isect/ray_prim.sv: one ray against one primitive, exactly.
 #pragma once
 #include <cstdlib>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner moved along the ray onto the plane z = 0, in units of two steps: the range is CoordW + 1 bits.
+// Mirrors rtl/isect/shear.sv: a corner moved along the ray onto the plane z = 0, in units of two steps:
+// the range is CoordW + 1 bits.
 #pragma once
 #include "isect/corner_delta.hpp"
 

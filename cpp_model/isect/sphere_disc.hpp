@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Does the ray's line meet the sphere? X, Y: the sheared centre; R: the radius in steps.
+// Mirrors rtl/isect/sphere_disc.sv: does the ray's line meet the sphere? X, Y: the sheared centre; R: the radius in steps.
 #pragma once
 #include <cassert>
 

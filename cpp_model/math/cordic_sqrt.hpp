@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Square root by hyperbolic CORDIC in vectoring mode (Walther, "A unified algorithm for elementary
-// functions", 1971). RTL: rtl/math/cordic_sqrt.sv, equal bit for bit.
+// Mirrors rtl/math/cordic_sqrt.sv: square root by hyperbolic CORDIC in vectoring mode (Walther, "A
+// unified algorithm for elementary functions", 1971).
 #pragma once
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Division to the nearest: mirrors rtl/math/div_pipe.sv.
+// Mirrors rtl/math/div_pipe.sv: division to the nearest.
 #pragma once
 #include "fixed.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integer square root: mirrors rtl/math/root_seq.sv.
+// Mirrors rtl/math/root_seq.sv: integer square root.
 #pragma once
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A vector of any length as a unit vector. RTL: rtl/shade/normalise.sv, equal bit for bit.
+// Mirrors rtl/shade/normalise.sv: a vector of any length as a unit vector.
 #pragma once
 #include "fixed.hpp"
 #include "math/cordic_sqrt.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The nearest hit of a ray: mirrors rtl/traverse/nearest.sv.
+// Mirrors rtl/traverse/nearest.sv: the nearest hit of a ray.
 #pragma once
 #include "fixed.hpp"
 

@@ -8,7 +8,7 @@
 //   Drain  the last tests and divisions finish
 //   Emit   lanes give their hits
 // A primitive with its n tests takes n cycles; a batch adds the pipes' length and Emit.
-// Model: cpp_model/core.cpp (the loop over primitives), equal bit for bit.
+// Model: cpp_model/traverse/lane.hpp (the loop over primitives), where the order of tests does not matter.
 module brute_walk
   import castray_cfg_pkg::*;
   import castray_pkg::*;

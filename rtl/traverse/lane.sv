@@ -8,7 +8,7 @@
 //
 // One test a cycle; an accepted one takes the divider two. Contexts are given out in order and
 // freed when their hits leave.
-// Model: cpp_model/core.cpp, equal bit for bit.
+// Model: cpp_model/traverse/lane.hpp, equal bit for bit.
 module lane
   import castray_cfg_pkg::*;
   import castray_pkg::*;

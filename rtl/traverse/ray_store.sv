@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays of a lane's contexts, in distributed memory addressed by context number: one write and
 // three reads a cycle, each for another unit. Reads are combinational.
+// Model: cpp_model/traverse/ray_store.hpp.
 module ray_store
   import castray_cfg_pkg::*;
   import castray_pkg::*;
