@@ -10,7 +10,7 @@
 #include "camera/frame_setup.hpp"
 #include "camera/ray_gen.hpp"
 #include "camera/ray_setup.hpp"
-#include "mem/hit_record.hpp"
+#include "mem/hit_writer.hpp"
 #include "mem/image.hpp"
 #include "mem/prim_reader.hpp"
 #include "shade/paint.hpp"

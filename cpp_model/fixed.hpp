@@ -24,7 +24,6 @@ using uint128 = unsigned __int128;
 constexpr bool fits_signed(int128 x, int bits) {
   return x >= -(int128{1} << (bits - 1)) && x < (int128{1} << (bits - 1));
 }
-constexpr bool fits_unsigned(int128 x, int bits) { return x >= 0 && x < (int128{1} << bits); }
 
 // x as the two's complement value of its lowest `bits` bits: what a register of that width holds.
 constexpr std::int64_t wrap_signed(std::int64_t x, int bits) {

@@ -2,7 +2,7 @@
 // Mirrors rtl/camera/ray_setup.sv: the ray of a direction, its shear divided once and for all.
 #pragma once
 #include "isect/corner_delta.hpp"
-#include "math/divide.hpp"
+#include "math/div_pipe.hpp"
 
 namespace castray {
 

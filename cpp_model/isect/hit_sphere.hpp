@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "isect/hit_norm.hpp"
-#include "math/root.hpp"
+#include "math/root_seq.hpp"
 
 namespace castray {
 

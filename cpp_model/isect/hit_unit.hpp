@@ -3,7 +3,7 @@
 #pragma once
 #include "isect/hit_distance.hpp"
 #include "isect/hit_sphere.hpp"
-#include "math/divide.hpp"
+#include "math/div_pipe.hpp"
 
 namespace castray {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors rtl/shade/pixel_word.sv and background.sv: a colour as a pixel's word, a miss's colour.
+// Mirrors rtl/shade/pixel_word.sv and rtl/shade/background.sv: a colour as a word of the frame buffer, and
+// the colour of a miss.
 #pragma once
 #include "fixed.hpp"
 

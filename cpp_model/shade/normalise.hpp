@@ -3,7 +3,7 @@
 #pragma once
 #include "fixed.hpp"
 #include "math/cordic_sqrt.hpp"
-#include "math/divide.hpp"
+#include "math/div_pipe.hpp"
 
 namespace castray {
 

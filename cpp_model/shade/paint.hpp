@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors rtl/shade/paint.sv: texture times facing ratio. And frame_paint.sv: the parameters.
+// Mirrors rtl/shade/paint.sv: texture times facing ratio. And rtl/shade/frame_paint.sv: the parameters.
 #pragma once
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 //   s(n+1)    rounding
 // Defined otherwise too: a zero divisor gives 0, num > den gives 2^QFrac.
 // One division a cycle, n + 1 cycles; all stages move together unless the output is blocked.
-// Model: cpp_model/math/divide.hpp, equal bit for bit.
+// Model: cpp_model/math/div_pipe.hpp, equal bit for bit.
 module div_pipe #(
   parameter int unsigned NumW         = 32,
   parameter int unsigned QFrac        = 26,

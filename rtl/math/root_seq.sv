@@ -4,7 +4,7 @@
 //   rem' = 4 rem + next two bits      trial = 4 root + 1      bit = rem' >= trial
 // Two root bits a cycle: a root every RadW / 4 + 1 cycles, one at a time; the result waits until it
 // is taken, and the next radicand may enter in that very cycle.
-// Model: cpp_model/math/root.hpp, equal bit for bit.
+// Model: cpp_model/math/root_seq.hpp, equal bit for bit.
 module root_seq #(
   parameter int unsigned RadW  = 56,
   localparam int unsigned RootW = RadW / 2

@@ -14,7 +14,7 @@
 // At most Misses lines are outstanding, each with room reserved before it is asked for.
 // Lines come in the order of their requests (one AXI ID). base_i stands still while hits enter.
 // One hit every two cycles, in order; latency 5 cycles where nothing waits.
-// Model of hit_o and miss_o: cpp_model/mem/attr_cache.hpp.
+// Model of hit_o and miss_o: cpp_model/mem/attr_tags.hpp.
 module attr_cache
   import castray_cfg_pkg::*;
   import castray_pkg::*;

@@ -6,7 +6,7 @@
 //            it finds it although the data is still on its way
 // A miss waits while Misses lines are outstanding; given_i: the last of a line was used up.
 // One lookup every two cycles. The result is offered with its number: both are taken together.
-// Model: cpp_model/mem/attr_cache.hpp.
+// Model: cpp_model/mem/attr_tags.hpp.
 module attr_tags
   import castray_cfg_pkg::*;
   import castray_pkg::*;

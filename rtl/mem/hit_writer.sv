@@ -5,7 +5,7 @@
 //   s1  index = row + x
 //   s2  address
 // One record a cycle, in order, latency 3. base_i (a multiple of 32) and width_i stand still.
-// Model: cpp_model/mem/hit_record.hpp, equal bit for bit.
+// Model: cpp_model/mem/hit_writer.hpp, equal bit for bit.
 module hit_writer
   import castray_pkg::*;
   import castray_image_pkg::*;

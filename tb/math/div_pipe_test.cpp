@@ -3,7 +3,7 @@
 // do not divide the digits evenly; ties, extremes and the guarded results by hand.
 #include "Vdiv_pipe.h"
 #include "dut.hpp"
-#include "math/divide.hpp"
+#include "math/div_pipe.hpp"
 
 namespace castray::tb {
 namespace {

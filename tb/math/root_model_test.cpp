@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "math/root.hpp"
+#include "math/root_seq.hpp"
 
 namespace castray::tb {
 namespace {

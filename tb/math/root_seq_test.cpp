@@ -3,7 +3,7 @@
 // RadW / 4 + 1 cycles, and a root that is not taken waits.
 #include "Vroot_seq.h"
 #include "dut.hpp"
-#include "math/root.hpp"
+#include "math/root_seq.hpp"
 
 namespace castray::tb {
 namespace {

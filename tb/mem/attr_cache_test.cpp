@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The attribute cache: right data in order whatever is in flight, and hits and misses as a plain
 // cache would count them.
-#include "mem/attr_cache.hpp"
+#include "mem/attr_tags.hpp"
 
 #include <deque>
 #include <optional>
@@ -117,7 +117,7 @@ class AttrCacheUnit : public testing::TestWithParam<Stalls> {
   // The same against a plain cache's counts.
   Outcome compare(const std::vector<prim_t>& numbers, Latency latency = {}, Stalls stalls = {}) {
     std::uint64_t hits = 0;
-    for (const prim_t n : numbers) hits += cache_.access(n);
+    for (const prim_t n : numbers) hits += tags_.access(n);
     const Outcome out = run(numbers, latency, stalls);
     EXPECT_EQ(out.hits, hits);
     EXPECT_EQ(out.misses, numbers.size() - hits);
@@ -125,7 +125,7 @@ class AttrCacheUnit : public testing::TestWithParam<Stalls> {
     return out;
   }
   Dut<Vattr_cache> dut_;
-  AttrCache cache_;
+  AttrTags tags_;
 };
 
 // A walk that stays near, and now and then jumps: as hits along a tile do.
@@ -173,7 +173,7 @@ TEST_F(AttrCacheUnit, ComparesEveryBitOfATag) {
   for (int bit = 6; bit < PrimW; ++bit)
     for (const bool first : {true, false}) {
       dut_.reset(1);
-      cache_ = AttrCache();
+      tags_ = AttrTags();
       const prim_t other = b ^ (prim_t{1} << bit);
       EXPECT_EQ(compare(first ? std::vector<prim_t>{b, a, other, b} : std::vector<prim_t>{a, b, other, b}).misses, first ? 4u : 3u) << bit;
     }
@@ -228,7 +228,7 @@ TEST_F(AttrCacheUnit, IsEmptyAfterAReset) {
   compare(numbers);
   EXPECT_EQ(compare(numbers).misses, 0u);
   dut_.reset(1);
-  cache_ = AttrCache();
+  tags_ = AttrTags();
   EXPECT_EQ(compare(numbers).misses, 3u);
 }
 

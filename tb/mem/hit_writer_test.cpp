@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records of hits and misses, and where they are written.
-#include "mem/hit_record.hpp"
+#include "mem/hit_writer.hpp"
 
 #include "Vhit_writer.h"
 #include "dut.hpp"

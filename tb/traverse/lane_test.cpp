@@ -25,8 +25,8 @@ class Lane : public testing::Test {
     ASSERT_LT(wait, 4000) << "the lane takes no ray";
   }
   // Passes a primitive by the first contexts, whether they hold rays or not. How many were tested.
-  int pass(const prim_slot_t& prim, int contexts, Gate& gate) {
-    int tests = 0;
+  std::uint64_t pass(const prim_slot_t& prim, int contexts, Gate& gate) {
+    std::uint64_t tests = 0;
     dut_->test_valid_i = 1;
     set_port(dut_->test_prim_i, prim);
     const long limit = dut_.cycles() + 4000;
@@ -50,8 +50,8 @@ class Lane : public testing::Test {
     ASSERT_LT(wait, 4000) << "the lane does not become quiet";
   }
   // Takes the hits of all rays, which are the model's. How many tests the model made.
-  int expect_hits(const Work& work, Gate& gate) {
-    int tests = 0;
+  std::uint64_t expect_hits(const Work& work, Gate& gate) {
+    std::uint64_t tests = 0;
     dut_->emit_i = 1;
     for (std::size_t i = 0; i < work.rays.size() && !HasFailure();) {
       dut_->hit_ready_i = gate.open();
@@ -76,7 +76,7 @@ class Lane : public testing::Test {
     dut_.settle();
     ASSERT_EQ(dut_->used_o, work.rays.size());
     ASSERT_EQ(dut_->full_o, work.rays.size() == kContexts);
-    int tests = 0;
+    std::uint64_t tests = 0;
     for (const prim_slot_t& prim : work.prims) tests += pass(prim, contexts, gate);
     ASSERT_NO_FATAL_FAILURE(wait_until_quiet());
     EXPECT_EQ(tests, expect_hits(work, gate));

@@ -5,9 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "isect/hit_unit.hpp"
-#include "isect/ray_prim.hpp"
-#include "traverse/nearest.hpp"
+#include "traverse/lane.hpp"
 
 namespace castray::tb {
 
@@ -60,29 +58,9 @@ inline Work random_work(unsigned seed, int rays, int prims) {
   return work;
 }
 
-inline test_ray_t test_ray_of(const ray_t& ray) {
-  test_ray_t t;
-  t.org = ray.org, t.sx = ray.sx, t.sy = ray.sy, t.norm2 = ray.norm2, t.axis = ray.axis, t.neg = ray.neg, t.cull = ray.cull;
-  return t;
-}
-
-inline hit_t model_hit(const ray_t& ray, const std::vector<prim_slot_t>& prims, int& tests) {
-  Nearest nearest(ray.tmax);
-  hit_ray_t hit_ray;
-  hit_ray.norm2 = ray.norm2, hit_ray.neg = ray.neg, hit_ray.cull = ray.cull, hit_ray.tmin = ray.tmin;
-  for (const prim_slot_t& slot : prims) {
-    if (!ray.valid || slot.number == ray.ignore) continue;
-    ++tests;
-    cand_t cand;
-    result_t result;
-    if (ray_prim(test_ray_of(ray), slot, 0, cand) && hit_unit(cand, hit_ray, result)) nearest.offer(result);
-  }
-  hit_t hit;
-  hit.tag = ray.tag, hit.found = nearest.found();
-  hit.kind = nearest.best().kind, hit.number = nearest.best().number, hit.t = nearest.best().t;
-  hit.u = nearest.best().u, hit.v = nearest.best().v;
-  hit.sx = ray.sx, hit.sy = ray.sy, hit.axis = ray.axis, hit.neg = ray.neg;
-  return hit;
+// How many tests the ray makes is added to `tests`.
+inline hit_t model_hit(const ray_t& ray, const std::vector<prim_slot_t>& prims, std::uint64_t& tests) {
+  return lane(ray, prims, tests, [](const cand_t&, const result_t*) {});
 }
 
 }  // namespace castray::tb

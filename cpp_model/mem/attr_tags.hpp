@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors the tags of rtl/mem/attr_cache.sv: which accesses hit. What the cache delivers is what
-// lies in memory, so this is of use to counters and to studies of its size only.
+// Mirrors rtl/mem/attr_tags.sv: which accesses of the attribute cache hit. What the cache delivers is
+// what lies in memory, so no pixel depends on it.
 #pragma once
 #include <vector>
 
@@ -9,9 +9,9 @@
 namespace castray {
 
 // Two ways, least recently used.
-class AttrCache {
+class AttrTags {
  public:
-  explicit AttrCache(int entries = 128) : sets_(entries / 2) {}
+  explicit AttrTags(int entries = 128) : sets_(entries / 2) {}
 
   // Looks a primitive up, and keeps it from now on. True: it was there.
   bool access(prim_t number) {
