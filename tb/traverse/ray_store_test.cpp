@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The rays of a lane's contexts: each reader sees its own context's fields, a write is seen a cycle later.
 // Verilator: -GContexts=5
+#include "traverse/ray_store.hpp"
+
 #include "Vray_store.h"
 #include "dut.hpp"
 #include "signed_port.hpp"
@@ -27,15 +29,10 @@ class RayStore : public testing::Test {
   void expect(int test_ctx, const ray_t& test, int hit_ctx, const ray_t& hit, int out_ctx, const ray_t& out) {
     dut_->test_ctx_i = test_ctx, dut_->hit_ctx_i = hit_ctx, dut_->out_ctx_i = out_ctx;
     dut_.settle();
-    test_ray_t test_ray;
-    test_ray.org = test.org, test_ray.sx = test.sx, test_ray.sy = test.sy, test_ray.norm2 = test.norm2;
-    test_ray.axis = test.axis, test_ray.neg = test.neg, test_ray.cull = test.cull;
-    EXPECT_EQ(to_text(get_port<test_ray_t>(dut_->test_ray_o)), to_text(test_ray));
+    EXPECT_EQ(to_text(get_port<test_ray_t>(dut_->test_ray_o)), to_text(test_ray_of(test)));
     EXPECT_EQ(dut_->test_valid_o, test.valid);
     EXPECT_EQ(dut_->test_ignore_o, test.ignore);
-    hit_ray_t hit_ray;
-    hit_ray.norm2 = hit.norm2, hit_ray.neg = hit.neg, hit_ray.cull = hit.cull, hit_ray.tmin = hit.tmin;
-    EXPECT_EQ(to_text(get_port<hit_ray_t>(dut_->hit_ray_o)), to_text(hit_ray));
+    EXPECT_EQ(to_text(get_port<hit_ray_t>(dut_->hit_ray_o)), to_text(hit_ray_of(hit)));
     EXPECT_EQ(to_text(get_port<pixel_tag_t>(dut_->out_tag_o)), to_text(out.tag));
     EXPECT_EQ(get_signed(dut_->out_sx_o, shear_t_bits), out.sx);
     EXPECT_EQ(get_signed(dut_->out_sy_o, shear_t_bits), out.sy);
