@@ -56,6 +56,10 @@ rtl/mem/attr_cache.sv
 rtl/mem/attr_tags.sv
 rtl/mem/hit_writer.sv
 rtl/mem/job_loader.sv
+rtl/mem/line_cache.sv
+rtl/mem/line_misses.sv
+rtl/mem/line_tags.sv
+rtl/mem/line_wake.sv
 rtl/mem/prim_reader.sv
 rtl/mem/tile_gather.sv
 rtl/mem/tile_rows.sv

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// A cache of 64-byte lines that does not wait for memory. Who asks has a number (a lane: its
+// context) and one request under way at most; answers come in any order.
+//   look   in -> cycle 0 the set's tags, and the lines waited for (line_tags, line_misses)
+//                cycle 1 found: to serve. Not found: the number waits in the line's chain; a line
+//                        that nobody waited for is asked for. A lookup never waits for memory.
+//   fill   a line from memory -> register; cycle 1 it takes its place and its chain goes to wake
+//   serve  a number and a place, of a hit or of wake in turn; a cycle each for the data memory and
+//          for its output register -> out
+// At most Misses lines are waited for, each asked for once; while there may be none left nothing
+// is looked up. Of one set, there is one thing at a time: a fill waits while a lookup of the set
+// stands in cycle 1 or a chain of the set is served, and lookups of the set wait for the fill. So a
+// line stays until all who waited for it have it.
+// What comes out of out makes everything else move, so out must not wait for in or fill
+// (docs/memory.md).
+// One lookup a cycle. A hit takes 3 cycles from in to out; a line is offered 4 cycles after it came.
+// After a reset nothing is taken for as many cycles as there are sets: the tags are emptied.
+module line_cache
+  import castray_pkg::*;
+#(
+  parameter type         id_t   = ctx_t,
+  parameter int unsigned Lines  = 512,
+  parameter int unsigned Ways   = 2,
+  parameter int unsigned Misses = 16,
+  parameter int unsigned Skip   = 0    // lowest bits of a number that all lines of this cache share
+) (
+  input  logic       clk_i,
+  input  logic       rst_ni,
+
+  output logic       hit_o,            // for the counters: one of the two for each lookup
+  output logic       miss_o,           // also for a line that is waited for already
+
+  input  logic       in_valid_i,
+  output logic       in_ready_o,
+  input  id_t        in_id_i,
+  input  line_no_t   in_line_i,
+
+  output logic       out_valid_o,
+  input  logic       out_ready_i,
+  output id_t        out_id_o,
+  output line_data_t out_data_o,
+
+  output logic       req_valid_o,
+  input  logic       req_ready_i,
+  output line_req_t  req_o,
+
+  input  logic       fill_valid_i,     // under the numbers of the requests, in any order
+  output logic       fill_ready_o,
+  input  line_fill_t fill_i
+);
+  localparam int unsigned Sets = Lines / Ways;
+  localparam int unsigned SetW = $clog2(Sets);
+  localparam int unsigned WayW = $clog2(Ways);
+  localparam int unsigned TagW = $bits(line_no_t) - SetW - Skip;
+  typedef logic [SetW-1:0]      set_t;
+  typedef logic [TagW-1:0]      tag_t;
+  typedef logic [SetW+WayW-1:0] place_t;
+  function automatic set_t set_of(line_no_t line);
+    return line[Skip +: SetW];
+  endfunction
+  function automatic tag_t tag_of(line_no_t line);
+    return line[Skip+SetW +: TagW];
+  endfunction
+
+  // ---- Look ----
+  logic             emptied, room, open, look, looked, leaves, found, is_new;
+  logic             filled, fill, fill_load;
+  logic [WayW-1:0]  found_way;
+  miss_t            new_miss;
+  id_t              id_q;
+  line_no_t         line_q, fill_line_q;
+
+  assign open       = emptied && room && !(filled && set_of(in_line_i) == set_of(fill_line_q));
+  assign in_ready_o = open && (!looked || leaves);
+  pipe_chain #(.Stages(1)) u_look (
+    .clk_i, .rst_ni, .valid_i(in_valid_i && open), .ready_o(),
+    .valid_o(looked), .ready_i(leaves), .load_o(look)
+  );
+  always_ff @(posedge clk_i) begin
+    if (look) begin
+      id_q   <= in_id_i;
+      line_q <= in_line_i;
+    end
+  end
+
+  line_tags #(.Sets(Sets), .Ways(Ways), .TagW(TagW)) u_tags (
+    .clk_i, .rst_ni, .ready_o(emptied),
+    .look_i(look), .look_set_i(set_of(in_line_i)), .look_tag_i(tag_of(in_line_i)),
+    .found_o(found), .found_way_o(found_way), .use_i(hit_o),
+    .fill_i(fill), .fill_set_i(set_of(fill_line_q)), .fill_tag_i(tag_of(fill_line_q)),
+    .fill_way_o(fill_way)
+  );
+
+  // A number for each lookup under way, in case that it needs one.
+  credit #(.Limit(Misses), .Gives(2)) u_room (
+    .clk_i, .rst_ni, .take_i(look), .give_i({fill, looked && leaves && !is_new}),
+    .available_o(room), .idle_o()
+  );
+
+  // ---- Misses ----
+  line_no_t fill_line;
+  id_t      head, wake_id, wake_next;
+  line_misses #(.id_t(id_t), .Misses(Misses)) u_misses (
+    .clk_i, .rst_ni,
+    .look_i(look), .look_line_i(in_line_i),
+    .add_i(miss_o), .add_id_i(id_q), .add_line_i(line_q), .new_o(is_new), .new_miss_o(new_miss),
+    .find_i(fill_i.miss), .find_line_o(fill_line),
+    .end_i(fill), .end_miss_i(fill_q.miss), .end_head_o(head),
+    .id_i(wake_id), .next_o(wake_next)
+  );
+  stream_fifo #(.data_t(line_req_t), .Depth(Misses)) u_req (
+    .clk_i, .rst_ni,
+    .valid_i(is_new), .ready_o(), .data_i('{miss: new_miss, line: line_q}),
+    .valid_o(req_valid_o), .ready_i(req_ready_i), .data_o(req_o), .used_o()
+  );
+
+  // ---- Fill ----
+  logic            wake_room, wake_busy, fill_free;
+  logic [WayW-1:0] fill_way;
+  place_t          fill_place;
+  line_fill_t      fill_q;
+  assign fill_free  = wake_room && !wake_busy && !(looked && set_of(line_q) == set_of(fill_line_q));
+  assign fill       = filled && fill_free;
+  assign fill_place = {set_of(fill_line_q), fill_way};
+  pipe_chain #(.Stages(1)) u_fill (
+    .clk_i, .rst_ni, .valid_i(fill_valid_i), .ready_o(fill_ready_o),
+    .valid_o(filled), .ready_i(fill_free), .load_o(fill_load)
+  );
+  always_ff @(posedge clk_i) begin
+    if (fill_load) begin
+      fill_q      <= fill_i;
+      fill_line_q <= fill_line;
+    end
+  end
+
+  // ---- Serve ----
+  typedef struct packed {
+    id_t    id;
+    place_t place;
+  } serve_t;
+  serve_t     serve [2];
+  serve_t     next;
+  logic [1:0] serve_valid, serve_ready;
+  logic       next_valid, next_ready;
+  place_t     wake_place;
+  line_wake #(.id_t(id_t), .SetW(SetW), .WayW(WayW)) u_wake (
+    .clk_i, .rst_ni,
+    .push_i(fill), .ready_o(wake_room), .head_i(head), .place_i(fill_place),
+    .set_i(set_of(fill_line_q)), .busy_o(wake_busy),
+    .out_valid_o(serve_valid[0]), .out_ready_i(serve_ready[0]), .out_id_o(wake_id),
+    .out_place_o(wake_place), .next_i(wake_next)
+  );
+  assign serve[0]       = '{id: wake_id, place: wake_place};
+  assign serve[1]       = '{id: id_q, place: {set_of(line_q), found_way}};
+  assign serve_valid[1] = looked && found;
+  assign leaves         = !found || serve_ready[1];
+  assign hit_o          = looked && found && serve_ready[1];
+  assign miss_o         = looked && !found;
+  stream_arb #(.data_t(serve_t), .N(2)) u_serve (
+    .clk_i, .rst_ni, .valid_i(serve_valid), .ready_o(serve_ready), .data_i(serve),
+    .valid_o(next_valid), .ready_i(next_ready), .data_o(next), .index_o()
+  );
+
+  // ---- Data ----
+  (* ram_style = "block" *) line_data_t data_q [Lines];
+  line_data_t read_q, out_q;
+  id_t        read_id_q, out_id_q;
+  logic [1:0] load;
+  pipe_chain #(.Stages(2)) u_data (
+    .clk_i, .rst_ni, .valid_i(next_valid), .ready_o(next_ready),
+    .valid_o(out_valid_o), .ready_i(out_ready_i), .load_o(load)
+  );
+  always_ff @(posedge clk_i) begin
+    if (fill) data_q[fill_place] <= fill_q.data;
+    if (load[0]) read_q <= data_q[next.place];
+  end
+  always_ff @(posedge clk_i) begin
+    if (load[0]) read_id_q <= next.id;
+    if (load[1]) begin
+      out_q    <= read_q;
+      out_id_q <= read_id_q;
+    end
+  end
+  assign out_id_o   = out_id_q;
+  assign out_data_o = out_q;
+
+`ifndef SYNTHESIS
+  stream_check #(.data_t(id_t)) u_check_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .data_i(out_id_o)
+  );
+`endif
+endmodule

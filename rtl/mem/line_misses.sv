@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines that a cache waits for, at most Misses, and who waits for each. Those who wait for a
+// line form a chain: head_q of the line, then next_q of each; the last one's next is itself.
+//   look   cycle 0: the line is compared with all that are waited for
+//   add    cycle 1: id waits for the line of the last look. If the line is new, it has a number
+//          from now on and is to be asked for.
+//   end    the number is free again; its chain goes to who serves it
+// The last to come is the first in a chain. Whoever waits in a chain is not added before it was
+// served. A line is not looked up in the cycle in which it ends.
+module line_misses
+  import castray_pkg::*;
+#(
+  parameter type         id_t   = ctx_t,
+  parameter int unsigned Misses = 16
+) (
+  input  logic     clk_i,
+  input  logic     rst_ni,
+
+  input  logic     look_i,
+  input  line_no_t look_line_i,
+
+  input  logic     add_i,
+  input  id_t      add_id_i,
+  input  line_no_t add_line_i,   // of the last look
+  output logic     new_o,
+  output miss_t    new_miss_o,
+
+  input  miss_t    find_i,       // combinational
+  output line_no_t find_line_o,
+
+  input  logic     end_i,
+  input  miss_t    end_miss_i,
+  output id_t      end_head_o,
+
+  input  id_t      id_i,         // combinational, for who serves a chain
+  output id_t      next_o
+);
+  if (Misses < 2 || Misses > 2 ** MissW) begin : g_misses
+    $error("line_misses: Misses must be 2 to %0d", 2 ** MissW);
+  end
+
+  logic [Misses-1:0] used_q, match_q;
+  line_no_t          line_q [Misses];
+  id_t               head_q [Misses];
+  id_t               next_q [2**$bits(id_t)];
+  miss_t             at;
+
+  // ---- Look: as the lines will be in cycle 1 ----
+  always_ff @(posedge clk_i) begin
+    if (look_i) begin
+      for (int unsigned i = 0; i < Misses; i++)
+        match_q[i] <= (new_o && new_miss_o == miss_t'(i)) ? add_line_i == look_line_i
+                                                          : used_q[i] && line_q[i] == look_line_i;
+    end
+  end
+
+  // ---- Add: to the line that matches, or to the first free number ----
+  assign new_o      = add_i && match_q == '0;
+  assign new_miss_o = at;
+  always_comb begin
+    at = '0;
+    if (add_i) begin
+      for (int unsigned i = Misses; i > 0; i--)
+        if (match_q[i-1] || (match_q == '0 && !used_q[i-1])) at = miss_t'(i - 1);
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) used_q <= '0;
+    else begin
+      if (new_o) used_q[at] <= 1'b1;
+      if (end_i) used_q[end_miss_i] <= 1'b0;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (new_o) line_q[at] <= add_line_i;
+    if (add_i) begin
+      head_q[at]       <= add_id_i;
+      next_q[add_id_i] <= new_o ? add_id_i : head_q[at];
+    end
+  end
+
+  assign find_line_o = line_q[find_i];
+  assign end_head_o  = head_q[end_miss_i];
+  assign next_o      = next_q[id_i];
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && add_i) begin
+      assert (!new_o || used_q != '1) else $error("no number is free");
+      assert ($onehot0(match_q)) else $error("a line is waited for twice");
+    end
+    if (rst_ni && end_i) assert (used_q[end_miss_i]) else $error("nobody waits for this line");
+  end
+`endif
+endmodule
