@@ -23,6 +23,7 @@ rtl/camera/frame_setup.sv
 rtl/camera/ray_component.sv
 rtl/camera/ray_gen.sv
 rtl/camera/ray_setup.sv
+rtl/camera/slab_setup.sv
 rtl/camera/tile_walk.sv
 rtl/camera/ray_source.sv
 rtl/isect/accept.sv

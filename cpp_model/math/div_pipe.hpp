@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors rtl/math/div_pipe.sv: division to the nearest.
+// Mirrors rtl/math/div_pipe.sv: division to the nearest and rounded down.
 #pragma once
 #include "fixed.hpp"
 
@@ -11,6 +11,13 @@ constexpr std::uint64_t div_nearest(std::uint64_t num, std::uint64_t den, int qf
   if (den == 0) return 0;
   if (num > den) return std::uint64_t{1} << qfrac;
   return static_cast<std::uint64_t>(((static_cast<uint128>(num) << (qfrac + 1)) / den + 1) >> 1);
+}
+
+// The same rounded down.
+constexpr std::uint64_t div_floor(std::uint64_t num, std::uint64_t den, int qfrac) {
+  if (den == 0) return 0;
+  if (num > den) return std::uint64_t{1} << qfrac;
+  return static_cast<std::uint64_t>((static_cast<uint128>(num) << qfrac) / den);
 }
 
 }  // namespace castray

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guarded division to the nearest: q = num 2^QFrac / den, halves upwards, for num <= den.
-//   s1..sn    BitsPerStage quotient bits each, restoring, digit by digit: QFrac + 2 bits, the
-//             first is the integer bit, the last is for rounding
+// Guarded division, q = num 2^QFrac / den, for num <= den: to the nearest, halves upwards, or, with
+// Nearest 0, rounded down.
+//   s1..sn    BitsPerStage quotient bits each, restoring, digit by digit: QFrac + 1 bits, the first
+//             is the integer bit, and one more for rounding to the nearest
 //   s(n+1)    rounding
 // Defined otherwise too: a zero divisor gives 0, num > den gives 2^QFrac.
 // One division a cycle, n + 1 cycles; all stages move together unless the output is blocked.
@@ -10,6 +11,7 @@ module div_pipe #(
   parameter int unsigned NumW         = 32,
   parameter int unsigned QFrac        = 26,
   parameter int unsigned BitsPerStage = 2,
+  parameter bit          Nearest      = 1'b1,
   parameter type         tag_t        = logic [7:0]
 ) (
   input  logic             clk_i,
@@ -33,7 +35,7 @@ module div_pipe #(
     $error("div_pipe: BitsPerStage must be 1 to 8");
   end
 
-  localparam int unsigned Bits   = QFrac + 2;
+  localparam int unsigned Bits   = QFrac + 1 + 32'(Nearest);
   localparam int unsigned Stages = (Bits + BitsPerStage - 1) / BitsPerStage;
 
   typedef logic [NumW-1:0] op_t;
@@ -113,7 +115,8 @@ module div_pipe #(
 
   always_ff @(posedge clk_i) begin
     if (move && offered[Stages]) begin
-      out_q_o   <= (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1);
+      out_q_o   <= Nearest ? (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1)
+                           : (QFrac+1)'(g_stage[Stages-1].step_q.quo);
       out_tag_o <= g_stage[Stages-1].tag_q;
     end
   end

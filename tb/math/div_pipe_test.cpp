@@ -11,10 +11,12 @@ namespace {
 // As in div_pipe_tb.sv.
 struct Config {
   int num_w, qfrac, bits;
-  int stages() const { return (qfrac + 2 + bits - 1) / bits + 1; }
+  bool nearest = true;
+  int stages() const { return (qfrac + 1 + nearest + bits - 1) / bits + 1; }
   std::uint64_t largest() const { return (std::uint64_t{1} << num_w) - 1; }
 };
-constexpr Config kConfigs[] = {{32, 26, 2}, {32, 26, 1}, {26, 24, 3}, {18, 17, 2}};
+constexpr Config kConfigs[] = {{32, 26, 2}, {32, 26, 1}, {26, 24, 3}, {18, 17, 2}, {26, 17, 1, false}};
+constexpr int kCount = std::size(kConfigs);
 
 struct Division {
   static constexpr int kBits = 80;
@@ -47,9 +49,12 @@ class DivPipe : public ::testing::TestWithParam<std::tuple<int, Stalls>> {
     EXPECT_EQ(got.size(), in.size());
     for (std::size_t i = 0; i < got.size(); ++i) {
       EXPECT_EQ(got[i].tag, in[i].tag);
-      EXPECT_EQ(got[i].q, div_nearest(in[i].num, in[i].den, config.qfrac)) << in[i].num << " / " << in[i].den;
+      EXPECT_EQ(got[i].q, model(in[i].num, in[i].den)) << in[i].num << " / " << in[i].den;
     }
     return got;
+  }
+  std::uint64_t model(std::uint64_t num, std::uint64_t den) const {
+    return config.nearest ? div_nearest(num, den, config.qfrac) : div_floor(num, den, config.qfrac);
   }
   std::uint64_t divide(std::uint64_t num, std::uint64_t den) { return run({{num, den}}).at(0).q; }
 
@@ -66,7 +71,7 @@ class DivPipe : public ::testing::TestWithParam<std::tuple<int, Stalls>> {
     return {num, den};
   }
 };
-INSTANTIATE_TEST_SUITE_P(Configs, DivPipe, ::testing::Combine(::testing::Range(0, 4), ::testing::ValuesIn(kStallPatterns)));
+INSTANTIATE_TEST_SUITE_P(Configs, DivPipe, ::testing::Combine(::testing::Range(0, kCount), ::testing::ValuesIn(kStallPatterns)));
 
 TEST_P(DivPipe, MatchesModel) {
   choose(std::get<0>(GetParam()));
@@ -75,16 +80,16 @@ TEST_P(DivPipe, MatchesModel) {
   run(in, std::get<1>(GetParam()));
 }
 
-// q - 1/2 <= exact < q + 1/2, all times 2 den.
-TEST_F(DivPipe, ModelIsTheNearest) {
+// q - 1/2 <= exact < q + 1/2, or q <= exact < q + 1, all times 2 den.
+TEST_F(DivPipe, ModelIsTheNearestOrTheNextBelow) {
   for (const Config& each : kConfigs) {
     config = each;
     for (int i = 0; i < 200000; ++i) {
       const Division d = random_division();
       if (d.den == 0 || d.num > d.den) continue;
-      const int128 q = div_nearest(d.num, d.den, config.qfrac);
+      const int128 from = 2 * static_cast<int128>(model(d.num, d.den)) - config.nearest;
       const int128 exact = static_cast<int128>(d.num) << (config.qfrac + 1);
-      ASSERT_TRUE((2 * q - 1) * d.den <= exact && exact < (2 * q + 1) * d.den) << d.num << " / " << d.den;
+      ASSERT_TRUE(from * d.den <= exact && exact < (from + 2) * d.den) << d.num << " / " << d.den;
     }
   }
 }
@@ -107,8 +112,17 @@ TEST_F(DivPipe, RoundsTiesUp) {
   }
 }
 
+TEST_F(DivPipe, RoundsDownBelowTheNextUnit) {
+  choose(kCount - 1);
+  const std::uint64_t den = 1ull << 25;
+  EXPECT_EQ(divide(3 << 8, den), 3u);
+  EXPECT_EQ(divide((3 << 8) - 1, den), 2u);
+  EXPECT_EQ(divide((4 << 8) - 1, den), 3u);
+  EXPECT_EQ(divide(den, (1 << 26) - 1), 1u << 16) << "the smallest reciprocal";
+}
+
 TEST_F(DivPipe, KnowsItsExtremes) {
-  for (int which = 0; which < 4; ++which) {
+  for (int which = 0; which < kCount; ++which) {
     choose(which);
     const std::uint64_t one = std::uint64_t{1} << config.qfrac, top = config.largest();
     EXPECT_EQ(divide(0, 1), 0u);
@@ -116,14 +130,14 @@ TEST_F(DivPipe, KnowsItsExtremes) {
     EXPECT_EQ(divide(1, 1), one);
     EXPECT_EQ(divide(top, top), one);
     EXPECT_EQ(divide(1, 2), one / 2);
-    EXPECT_EQ(divide(1, 3), (one + 1) / 3);
-    EXPECT_EQ(divide(top / 2, top), one / 2) << "rounds up to a half";
-    EXPECT_EQ(divide(top - 1, top), config.num_w > config.qfrac + 1 ? one : div_nearest(top - 1, top, config.qfrac));
+    EXPECT_EQ(divide(1, 3), (one + config.nearest) / 3);
+    EXPECT_EQ(divide(top / 2, top), config.nearest ? one / 2 : one / 2 - 1) << "just below a half";
+    EXPECT_EQ(divide(top - 1, top), config.nearest && config.num_w > config.qfrac + 1 ? one : model(top - 1, top));
   }
 }
 
 TEST_F(DivPipe, GuardsItsDivisor) {
-  for (int which = 0; which < 4; ++which) {
+  for (int which = 0; which < kCount; ++which) {
     choose(which);
     const std::uint64_t one = std::uint64_t{1} << config.qfrac, top = config.largest();
     EXPECT_EQ(divide(0, 0), 0u);
@@ -136,7 +150,7 @@ TEST_F(DivPipe, GuardsItsDivisor) {
 }
 
 TEST_F(DivPipe, FillsEveryStageWhileBlocked) {
-  for (int which = 0; which < 4; ++which) {
+  for (int which = 0; which < kCount; ++which) {
     choose(which);
     dut->out_ready_i = 0;
     int taken = 0;
@@ -155,7 +169,7 @@ TEST_F(DivPipe, FillsEveryStageWhileBlocked) {
     for (int i = 0; i < taken; ++i) {
       dut.settle();
       ASSERT_TRUE(dut->out_valid_o);
-      EXPECT_EQ(get_port<Quotient>(dut->out_o), (Quotient{div_nearest(i, 1000, config.qfrac), static_cast<std::uint64_t>(i)}));
+      EXPECT_EQ(get_port<Quotient>(dut->out_o), (Quotient{model(i, 1000), static_cast<std::uint64_t>(i)}));
       dut.tick();
     }
     dut.settle();
