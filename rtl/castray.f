@@ -37,9 +37,11 @@ rtl/isect/ray_prim.sv
 rtl/isect/shear.sv
 rtl/isect/sphere_disc.sv
 rtl/traverse/brute_walk.sv
+rtl/traverse/contexts.sv
 rtl/traverse/frame_stack.sv
 rtl/traverse/lane.sv
 rtl/traverse/nearest.sv
+rtl/traverse/prim_tests.sv
 rtl/traverse/ray_dispatch.sv
 rtl/traverse/ray_store.sv
 rtl/traverse/step.sv

@@ -26,4 +26,15 @@ inline hit_ray_t hit_ray_of(const ray_t& ray) {
   return hit_ray;
 }
 
+inline slab_ray_t slab_ray_of(const ray_t& ray) {
+  slab_ray_t slab_ray;
+  slab_ray.org = ray.org;
+  slab_ray.axis = ray.axis;
+  slab_ray.neg = ray.neg;
+  slab_ray.rx = ray.rx;
+  slab_ray.ry = ray.ry;
+  slab_ray.tmin = ray.tmin;
+  return slab_ray;
+}
+
 }  // namespace castray

@@ -7,9 +7,9 @@
 // One look a cycle. A context is not looked at while it is in s1.
 // Model: cpp_model/traverse/frame_stack.hpp.
 module frame_stack
-  import castray_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*;
 #(
-  parameter int unsigned Contexts = 32,
+  parameter int unsigned Contexts = DefaultContexts,
   parameter int unsigned Depth    = 32,   // frames of a context
   localparam int unsigned IdxW    = (Contexts > 1) ? $clog2(Contexts) : 1
 ) (

@@ -41,108 +41,54 @@ module lane
   output logic        test_o,         // counter events
   output logic        cand_o
 );
-  if (Contexts < 1 || Contexts > 2 ** CtxW) begin : g_check
-    $error("lane: Contexts must be 1 to %0d", 2 ** CtxW);
-  end
-
   localparam int unsigned IdxW = (Contexts > 1) ? $clog2(Contexts) : 1;
-  // Covers the primitive pipe, so that one test a cycle can enter while nothing is accepted.
-  localparam int unsigned QueueDepth = 32;
 
-  // ---- Contexts: used_q rays are held in contexts 0 and up; out_q hits have left ----
-  logic [CtxW:0] used_q, out_q;
-  logic          ray_taken, hit_taken, last_out;
+  // ---- Contexts ----
+  ctx_t free_ctx, out_ctx;
+  logic ray_taken, tests_ready, out_valid;
 
-  assign used_o      = used_q;
-  assign full_o      = used_q == (CtxW+1)'(Contexts);
-  assign empty_o     = used_q == '0;
-  assign ray_ready_o = fill_i && !full_o && !result_valid;
+  assign ray_ready_o = fill_i && !full_o && tests_ready;
   assign ray_taken   = ray_valid_i && ray_ready_o;
-  assign hit_valid_o = emit_i && !empty_o;
-  assign hit_taken   = hit_valid_o && hit_ready_i;
-  assign last_out    = out_q + 1'b1 == used_q;
+  assign hit_valid_o = emit_i && out_valid;
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      used_q <= '0;
-      out_q  <= '0;
-    end else if (ray_taken) begin
-      used_q <= used_q + 1'b1;
-    end else if (hit_taken) begin
-      out_q <= last_out ? '0 : out_q + 1'b1;
-      if (last_out) used_q <= '0;
-    end
-  end
+  contexts #(.Contexts(Contexts)) u_contexts (
+    .clk_i, .rst_ni, .hierarchy_i(1'b0),
+    .free_ctx_o(free_ctx), .take_i(ray_taken), .done_valid_i(1'b0), .done_ctx_i('0),
+    .out_valid_o(out_valid), .out_ctx_o(out_ctx), .out_taken_i(hit_valid_o && hit_ready_i),
+    .used_o, .full_o, .empty_o
+  );
 
   // ---- The rays, and what each unit reads of them ----
-  test_ray_t test_ray;
-  logic      test_ray_valid;
-  prim_t     test_ignore;
-  hit_ray_t  hit_ray;
-  cand_t     queue_head;
+  test_ray_t       test_ray;
+  logic            look_valid;
+  prim_t           look_ignore;
+  hit_ray_t        hit_ray;
+  logic [IdxW-1:0] hit_ctx;
 
   ray_store #(.Contexts(Contexts)) u_rays (
     .clk_i,
-    .write_i(ray_taken), .write_ctx_i(IdxW'(used_q)), .ray_i,
-    .test_ctx_i(IdxW'(test_ctx_i)), .test_ray_o(test_ray), .test_valid_o(test_ray_valid),
-    .test_ignore_o(test_ignore),
-    .hit_ctx_i(IdxW'(queue_head.ctx)), .hit_ray_o(hit_ray),
-    .out_ctx_i(IdxW'(out_q)), .out_tag_o(hit_o.tag), .out_sx_o(hit_o.sx), .out_sy_o(hit_o.sy),
+    .write_i(ray_taken), .write_ctx_i(IdxW'(free_ctx)), .ray_i,
+    .test_ctx_i(IdxW'(test_ctx_i)), .test_ray_o(test_ray),
+    .look_ctx_i(IdxW'(test_ctx_i)), .look_valid_o(look_valid), .look_ignore_o(look_ignore),
+    .node_ctx_i('0), .node_ray_o(), .step_ctx_i('0), .step_any_hit_o(),
+    .hit_ctx_i(hit_ctx), .hit_ray_o(hit_ray),
+    .out_ctx_i(IdxW'(out_ctx)), .out_tag_o(hit_o.tag), .out_sx_o(hit_o.sx), .out_sy_o(hit_o.sy),
     .out_axis_o(hit_o.axis), .out_neg_o(hit_o.neg)
   );
 
   // ---- Tests ----
-  logic  test_enter, test_retire, cand_valid;
-  cand_t cand;
+  result_t best;
+  assign test_o = test_valid_i && test_step_i && {1'b0, test_ctx_i} < used_o && look_valid
+                  && test_prim_i.number != look_ignore;
 
-  assign test_enter = test_valid_i && test_step_i && {1'b0, test_ctx_i} < used_q && test_ray_valid
-                      && test_prim_i.number != test_ignore;
-  assign test_o     = test_enter;
-  assign cand_o     = cand_valid;
-
-  ray_prim u_ray_prim (
+  prim_tests #(.Contexts(Contexts)) u_tests (
     .clk_i, .rst_ni,
-    .in_valid_i(test_enter), .in_ctx_i(test_ctx_i), .in_ray_i(test_ray), .in_prim_i(test_prim_i),
-    .out_valid_o(cand_valid), .out_o(cand), .retire_o(test_retire)
-  );
-
-  // ---- Candidates wait for the hit unit ----
-  logic queue_valid, queue_take, queue_pop, tests_idle;
-
-  stream_fifo #(.data_t(cand_t), .Depth(QueueDepth)) u_queue (
-    .clk_i, .rst_ni,
-    .valid_i(cand_valid), .ready_o(), .data_i(cand),
-    .valid_o(queue_valid), .ready_i(queue_take), .data_o(queue_head), .used_o()
-  );
-  assign queue_pop = queue_valid && queue_take;
-
-  credit #(.Limit(QueueDepth), .Gives(2)) u_tests (
-    .clk_i, .rst_ni,
-    .take_i(test_enter), .give_i({queue_pop, test_retire}),
-    .available_o(test_ready_o), .idle_o(tests_idle)
-  );
-
-  // ---- Division and the nearest hit ----
-  logic    result_valid, hit_retire, hits_idle;
-  result_t result, best;
-
-  hit_unit u_hit_unit (
-    .clk_i, .rst_ni,
-    .in_valid_i(queue_valid), .in_ready_o(queue_take), .in_i(queue_head), .in_ray_i(hit_ray),
-    .out_valid_o(result_valid), .out_o(result), .retire_o(hit_retire)
-  );
-
-  credit #(.Limit(255)) u_hits (
-    .clk_i, .rst_ni,
-    .take_i(queue_pop), .give_i(hit_retire), .available_o(), .idle_o(hits_idle)
-  );
-  assign quiet_o = tests_idle && hits_idle;
-
-  nearest #(.Contexts(Contexts)) u_nearest (
-    .clk_i,
-    .start_i(ray_taken), .start_ctx_i(IdxW'(used_q)), .tmax_i(ray_i.tmax),
-    .result_valid_i(result_valid), .result_i(result),
-    .out_ctx_i(IdxW'(out_q)), .out_found_o(hit_o.found), .out_o(best)
+    .start_i(ray_taken), .start_ready_o(tests_ready), .start_ctx_i(IdxW'(free_ctx)), .tmax_i(ray_i.tmax),
+    .test_valid_i(test_o), .test_ready_o, .test_ctx_i, .test_ray_i(test_ray), .test_prim_i,
+    .hit_ctx_o(hit_ctx), .hit_ray_i(hit_ray),
+    .over_o(), .over_ctx_o(), .idle_o(quiet_o), .cand_o,
+    .node_ctx_i('0), .node_t_o(), .step_ctx_i('0), .step_reach_o(), .step_found_o(),
+    .out_ctx_i(IdxW'(out_ctx)), .out_found_o(hit_o.found), .out_o(best), .out_tests_o()
   );
   assign hit_o.kind   = best.kind;
   assign hit_o.number = best.number;

@@ -3,7 +3,8 @@
 // equal with a lower primitive number: the outcome does not depend on the order of the results.
 // A new ray starts with its tmax and number 0, so a hit at exactly tmax is none. Until a hit is found
 // u and v read as 0: the memories still hold those of the ray before.
-// One new ray or one result a cycle (never both); reads are combinational.
+// One new ray or one result a cycle (never both); reads are combinational. reach: what lies beyond
+// it, in units of a dist_t, is behind the nearest hit.
 // Model: cpp_model/traverse/nearest.hpp, equal bit for bit.
 module nearest
   import castray_cfg_pkg::*;
@@ -21,7 +22,14 @@ module nearest
   input  logic            result_valid_i,
   input  result_t         result_i,
 
-  input  logic [IdxW-1:0] out_ctx_i,
+  input  logic [IdxW-1:0] node_ctx_i,     // for the node pipe
+  output t_t              node_t_o,
+
+  input  logic [IdxW-1:0] step_ctx_i,     // for the next step
+  output dist_t           step_reach_o,
+  output logic            step_found_o,
+
+  input  logic [IdxW-1:0] out_ctx_i,      // for the lane's output
   output logic            out_found_o,
   output result_t         out_o
 );
@@ -57,6 +65,18 @@ module nearest
       v_q[at]   <= result_i.v;
     end
   end
+
+  // The upper bits of a distance, zero for a negative one.
+  function automatic dist_t reach(t_t t);
+    return t[CoordW+TFrac] ? '0 : t[CoordW+TFrac-1 -: DistW];
+  endfunction
+
+  key_t node_key, step_key;
+  assign node_key     = key_q[node_ctx_i];
+  assign node_t_o     = node_key.t;
+  assign step_key     = key_q[step_ctx_i];
+  assign step_reach_o = reach(step_key.t);
+  assign step_found_o = step_key.found;
 
   key_t out_key;
   assign out_key     = key_q[out_ctx_i];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of a lane's contexts, in distributed memory addressed by context number: one write and
-// three reads a cycle, each for another unit. Reads are combinational.
+// The rays of a lane's contexts, in distributed memory addressed by context number: one write and a
+// read for each unit that needs them a cycle. Reads are combinational.
 // Model: cpp_model/traverse/ray_store.hpp.
 module ray_store
   import castray_cfg_pkg::*;
@@ -18,8 +18,19 @@ module ray_store
   // For the primitive pipe.
   input  logic [IdxW-1:0] test_ctx_i,
   output test_ray_t       test_ray_o,
-  output logic            test_valid_o,   // the ray can hit something
-  output prim_t           test_ignore_o,
+
+  // For who decides whether there is a test.
+  input  logic [IdxW-1:0] look_ctx_i,
+  output logic            look_valid_o,   // the ray can hit something
+  output prim_t           look_ignore_o,
+
+  // For the node pipe.
+  input  logic [IdxW-1:0] node_ctx_i,
+  output slab_ray_t       node_ray_o,
+
+  // For the next step.
+  input  logic [IdxW-1:0] step_ctx_i,
+  output logic            step_any_hit_o,
 
   // For the hit unit.
   input  logic [IdxW-1:0] hit_ctx_i,
@@ -41,7 +52,9 @@ module ray_store
   shear_t     sy_q    [Contexts];
   norm2_t     norm2_q [Contexts];
   axis_t      axis_q  [Contexts];
-  logic [2:0] flags_q [Contexts];   // valid, cull, neg
+  recip_t     rx_q    [Contexts];
+  recip_t     ry_q    [Contexts];
+  logic [3:0] flags_q [Contexts];   // any_hit, valid, cull, neg
   t_t         tmin_q  [Contexts];
   prim_t      ignore_q[Contexts];
   pixel_tag_t tag_q   [Contexts];
@@ -55,7 +68,9 @@ module ray_store
       sy_q[write_ctx_i]     <= ray_i.sy;
       norm2_q[write_ctx_i]  <= ray_i.norm2;
       axis_q[write_ctx_i]   <= ray_i.axis;
-      flags_q[write_ctx_i]  <= {ray_i.valid, ray_i.cull, ray_i.neg};
+      flags_q[write_ctx_i]  <= {ray_i.any_hit, ray_i.valid, ray_i.cull, ray_i.neg};
+      rx_q[write_ctx_i]     <= ray_i.rx;
+      ry_q[write_ctx_i]     <= ray_i.ry;
       tmin_q[write_ctx_i]   <= ray_i.tmin;
       ignore_q[write_ctx_i] <= ray_i.ignore;
       tag_q[write_ctx_i]    <= ray_i.tag;
@@ -67,8 +82,16 @@ module ray_store
     sx: sx_q[test_ctx_i], sy: sy_q[test_ctx_i], norm2: norm2_q[test_ctx_i],
     axis: axis_q[test_ctx_i], neg: flags_q[test_ctx_i][0], cull: flags_q[test_ctx_i][1]
   };
-  assign test_valid_o  = flags_q[test_ctx_i][2];
-  assign test_ignore_o = ignore_q[test_ctx_i];
+  assign look_valid_o  = flags_q[look_ctx_i][2];
+  assign look_ignore_o = ignore_q[look_ctx_i];
+
+  assign node_ray_o = '{
+    org: '{x: org_x_q[node_ctx_i], y: org_y_q[node_ctx_i], z: org_z_q[node_ctx_i]},
+    axis: axis_q[node_ctx_i], neg: flags_q[node_ctx_i][0],
+    rx: rx_q[node_ctx_i], ry: ry_q[node_ctx_i], tmin: tmin_q[node_ctx_i]
+  };
+
+  assign step_any_hit_o = flags_q[step_ctx_i][3];
 
   assign hit_ray_o = '{
     norm2: norm2_q[hit_ctx_i], neg: flags_q[hit_ctx_i][0], cull: flags_q[hit_ctx_i][1],

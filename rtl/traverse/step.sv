@@ -18,7 +18,7 @@
 module step
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
-  parameter int unsigned Contexts   = 32,
+  parameter int unsigned Contexts   = DefaultContexts,
   parameter int unsigned StackDepth = 32
 ) (
   input  logic    clk_i,

@@ -4,6 +4,7 @@
 
 #include "Vnearest.h"
 #include "dut.hpp"
+#include "signed_port.hpp"
 
 namespace castray::tb {
 namespace {
@@ -28,7 +29,13 @@ class NearestUnit : public testing::Test {
   }
   void expect(int ctx, const Nearest& model) {
     dut_->out_ctx_i = ctx;
+    dut_->node_ctx_i = ctx;
+    dut_->step_ctx_i = ctx;
     dut_.settle();
+    const t_t t = model.best().t;
+    EXPECT_EQ(get_signed(dut_->node_t_o, t_t_bits), t);
+    EXPECT_EQ(dut_->step_reach_o, t < 0 ? 0 : t / (1 << (CoordW + TFrac - DistW)));
+    EXPECT_EQ(dut_->step_found_o, model.found());
     ASSERT_EQ(dut_->out_found_o, model.found());
     result_t expected = model.best();
     expected.ctx = static_cast<ctx_t>(ctx);
@@ -87,6 +94,17 @@ TEST_F(NearestUnit, NegativeDistancesAreNearer) {
   }
   EXPECT_EQ(model.best().t, -TMax - 1);
   expect(1, model);
+}
+
+TEST_F(NearestUnit, ReachesToTheUpperBitsOfTheDistance) {
+  start(2, TMax);
+  Nearest model(TMax);
+  constexpr t_t kUnit = 1 << (CoordW + TFrac - DistW);
+  for (const t_t t : {TMax - 1, 77 * kUnit, 77 * kUnit - 1, kUnit, kUnit - 1, t_t{0}, t_t{-1}, -kUnit}) {
+    offer(result(2, t, 4));
+    model.offer(result(2, t, 4));
+    expect(2, model);
+  }
 }
 
 TEST_F(NearestUnit, MatchesModelOverAllContexts) {

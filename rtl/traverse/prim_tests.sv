@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// From tests to nearest hits: what the exact test accepts waits in a queue for the one hit unit, and
+// the results for the nearest-hit memory. Nothing stalls once a test has entered: it enters only
+// when the queue has a place for it.
+//
+//   test -> ray_prim --accepted--> queue -> hit_unit --beyond tmin--> nearest
+//                \--> over_o[0]                  \--> over_o[1]
+//
+// One test a cycle; an accepted one takes the divider two. over_o: a test of over_ctx_o is over, and
+// so is its result from the next cycle on.
+// Model: cpp_model/traverse/lane.hpp, equal bit for bit.
+module prim_tests
+  import castray_cfg_pkg::*, castray_pkg::*;
+#(
+  parameter int unsigned Contexts = DefaultContexts,
+  localparam int unsigned IdxW    = (Contexts > 1) ? $clog2(Contexts) : 1
+) (
+  input  logic            clk_i,
+  input  logic            rst_ni,
+
+  input  logic            start_i,         // a new ray; only while start_ready_o
+  output logic            start_ready_o,
+  input  logic [IdxW-1:0] start_ctx_i,
+  input  t_t              tmax_i,
+
+  input  logic            test_valid_i,    // only while test_ready_o
+  output logic            test_ready_o,
+  input  ctx_t            test_ctx_i,
+  input  test_ray_t       test_ray_i,
+  input  prim_slot_t      test_prim_i,
+
+  output logic [IdxW-1:0] hit_ctx_o,       // the ray that the hit unit needs
+  input  hit_ray_t        hit_ray_i,
+
+  output logic [1:0]      over_o,
+  output ctx_t            over_ctx_o [2],
+  output logic            idle_o,          // no test or division is under way
+  output logic            cand_o,          // an accepted test: counter event
+
+  input  logic [IdxW-1:0] node_ctx_i,      // for the node pipe: the nearest t
+  output t_t              node_t_o,
+  input  logic [IdxW-1:0] step_ctx_i,      // for the next step
+  output dist_t           step_reach_o,
+  output logic            step_found_o,
+  input  logic [IdxW-1:0] out_ctx_i,       // for the lane's output
+  output logic            out_found_o,
+  output result_t         out_o,
+  output tests_t          out_tests_o
+);
+  // Covers the primitive pipe, so that one test a cycle can enter while nothing is accepted.
+  localparam int unsigned QueueDepth = 32;
+
+  // ---- The exact test ----
+  logic  miss, cand_valid;
+  cand_t cand;
+
+  ray_prim u_ray_prim (
+    .clk_i, .rst_ni,
+    .in_valid_i(test_valid_i), .in_ctx_i(test_ctx_i), .in_ray_i(test_ray_i), .in_prim_i(test_prim_i),
+    .out_valid_o(cand_valid), .out_o(cand), .retire_o(miss)
+  );
+  assign cand_o = cand_valid;
+
+  // ---- What it accepted waits for the hit unit ----
+  logic  queue_valid, queue_take, queue_pop, tests_idle;
+  cand_t queue_head;
+
+  stream_fifo #(.data_t(cand_t), .Depth(QueueDepth)) u_queue (
+    .clk_i, .rst_ni,
+    .valid_i(cand_valid), .ready_o(), .data_i(cand),
+    .valid_o(queue_valid), .ready_i(queue_take), .data_o(queue_head), .used_o()
+  );
+  assign queue_pop = queue_valid && queue_take;
+  assign hit_ctx_o = IdxW'(queue_head.ctx);
+
+  credit #(.Limit(QueueDepth), .Gives(2)) u_tests (
+    .clk_i, .rst_ni,
+    .take_i(test_valid_i), .give_i({queue_pop, miss}),
+    .available_o(test_ready_o), .idle_o(tests_idle)
+  );
+
+  // ---- Division and the nearest hit ----
+  logic    result_valid, hit_over, hits_idle;
+  result_t result;
+
+  hit_unit u_hit_unit (
+    .clk_i, .rst_ni,
+    .in_valid_i(queue_valid), .in_ready_o(queue_take), .in_i(queue_head), .in_ray_i(hit_ray_i),
+    .out_valid_o(result_valid), .out_o(result), .retire_o(hit_over)
+  );
+
+  credit #(.Limit(255)) u_hits (
+    .clk_i, .rst_ni,
+    .take_i(queue_pop), .give_i(hit_over), .available_o(), .idle_o(hits_idle)
+  );
+  assign idle_o     = tests_idle && hits_idle;
+  assign over_o     = {hit_over, miss};
+  assign over_ctx_o = '{cand.ctx, result.ctx};
+
+  nearest #(.Contexts(Contexts)) u_nearest (
+    .clk_i,
+    .start_i, .start_ctx_i, .tmax_i,
+    .result_valid_i(result_valid), .result_i(result),
+    .node_ctx_i, .node_t_o, .step_ctx_i, .step_reach_o, .step_found_o,
+    .out_ctx_i, .out_found_o, .out_o
+  );
+
+  // ---- Tests of each ray. One write a cycle, here and in nearest: a ray starts where there is none ----
+  tests_t tests_q [Contexts];
+  assign start_ready_o = !result_valid && !test_valid_i;
+  assign out_tests_o   = tests_q[out_ctx_i];
+  always_ff @(posedge clk_i) begin
+    if (start_i) tests_q[start_ctx_i] <= '0;
+    else if (test_valid_i) tests_q[IdxW'(test_ctx_i)] <= tests_q[IdxW'(test_ctx_i)] + 1'b1;
+  end
+endmodule
