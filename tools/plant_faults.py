@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plant each fault of tb/faults in a copy of the tree: its unit's own test must catch it.
 
-The copy takes what is built with it, so that only what a fault changes is built anew.
+There are as many copies as jobs. A copy takes what is built with it, so that only what a fault
+changes is built anew.
 """
 import argparse
+import concurrent.futures
 import os
 import pathlib
+import queue
 import shutil
 import subprocess
 import sys
@@ -16,11 +19,11 @@ import time
 import fault_list
 
 
-def run_test(tree, unit, jobs, **environment):
+def run_test(tree, unit, **environment):
     """None if the unit's test does not build or end, else whether it passes; and a message."""
     test = fault_list.test_of(tree, unit)
     if test.startswith("build/"):
-        built = subprocess.run(["make", "-s", f"-j{jobs}", test], cwd=tree, capture_output=True, text=True)
+        built = subprocess.run(["make", "-s", "-j1", "JOBS=1", test], cwd=tree, capture_output=True, text=True)
         if built.returncode:
             return None, "does not build: " + (built.stderr.strip().splitlines() or ["no message"])[-1]
     try:
@@ -30,7 +33,7 @@ def run_test(tree, unit, jobs, **environment):
     return run.returncode == 0, "passes" if run.returncode == 0 else "fails"
 
 
-def verdict(tree, fault, jobs):
+def verdict(tree, fault):
     """'caught', or what went wrong instead."""
     problem = fault_list.unplantable(tree, fault)
     if problem:
@@ -39,7 +42,7 @@ def verdict(tree, fault, jobs):
     text = target.read_text()
     target.write_text(text.replace(fault["old"], fault["new"]))
     try:
-        passed, message = run_test(tree, fault["unit"], jobs, GTEST_FAIL_FAST="1")
+        passed, message = run_test(tree, fault["unit"], GTEST_FAIL_FAST="1")
         return message if passed is None else "NOT caught" if passed else "caught"
     finally:
         target.write_text(text)   # newer than what was built from the fault, which is so built again
@@ -56,15 +59,25 @@ def main():
         sys.exit("plant_faults: no fault is listed for " + " ".join(args.units))
     failed = 0
     start = time.monotonic()
-    with tempfile.TemporaryDirectory() as folder:
-        tree = pathlib.Path(folder) / "castray"
-        shutil.copytree(fault_list.ROOT, tree, ignore=shutil.ignore_patterns(".git"))
-        for unit in sorted({fault["unit"] for fault in faults}) if not args.trust else ():
-            passed, message = run_test(tree, unit, args.jobs)
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
+        trees = queue.Queue()
+        for job in range(args.jobs):
+            trees.put(shutil.copytree(fault_list.ROOT, pathlib.Path(folder) / f"castray{job}", ignore=shutil.ignore_patterns(".git")))
+
+        def in_a_tree(work, item):
+            tree = trees.get()
+            try:
+                return work(tree, item)
+            finally:
+                trees.put(tree)
+
+        units = [] if args.trust else sorted({fault["unit"] for fault in faults})
+        for unit, (passed, message) in zip(units, pool.map(in_a_tree, [run_test] * len(units), units)):
             if not passed:
+                pool.shutdown(cancel_futures=True)
                 sys.exit(f"plant_faults: without any fault the test of {unit} {message}")
-        for number, fault in enumerate(faults, 1):
-            result = verdict(tree, fault, args.jobs)
+        results = pool.map(in_a_tree, [verdict] * len(faults), faults)
+        for number, (fault, result) in enumerate(zip(faults, results), 1):
             failed += result != "caught"
             print(f"[{number}/{len(faults)}] {fault['unit']:24} {result:12} {fault['why']}", flush=True)
     print(f"planted for {time.monotonic() - start:.0f} s\n{len(faults) - failed} passed, {failed} failed")
