@@ -71,6 +71,7 @@ rtl/shade/shading.sv
 rtl/axi/axi_lite_regs.sv
 rtl/axi/axi_reader.sv
 rtl/axi/axi_writer.sv
+rtl/axi/axi_ports.sv
 rtl/control/counters.sv
 rtl/control/job_control.sv
 rtl/castray_core.sv

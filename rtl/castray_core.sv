@@ -16,7 +16,8 @@ module castray_core
   parameter int unsigned Lanes       = DefaultLanes,
   parameter int unsigned Contexts    = DefaultContexts,
   parameter int unsigned TileLog2    = DefaultTileLog2,
-  parameter int unsigned AttrEntries = DefaultAttrEntries
+  parameter int unsigned AttrEntries = DefaultAttrEntries,
+  parameter int unsigned Ports       = DefaultPorts
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
@@ -41,40 +42,40 @@ module castray_core
   output logic [31:0]         s_axi_rdata_o,
   output logic [1:0]          s_axi_rresp_o,
 
-  // AXI4 memory
-  output logic                m_axi_arvalid_o,
-  input  logic                m_axi_arready_i,
-  output addr_t               m_axi_araddr_o,
-  output logic [3:0]          m_axi_arid_o,
-  output logic [7:0]          m_axi_arlen_o,
-  output logic [2:0]          m_axi_arsize_o,
-  output logic [1:0]          m_axi_arburst_o,
-  output logic [3:0]          m_axi_arcache_o,
-  output logic [2:0]          m_axi_arprot_o,
-  input  logic                m_axi_rvalid_i,
-  output logic                m_axi_rready_o,
-  input  beat_t               m_axi_rdata_i,
-  input  logic [3:0]          m_axi_rid_i,
-  input  logic [1:0]          m_axi_rresp_i,
-  input  logic                m_axi_rlast_i,
-  output logic                m_axi_awvalid_o,
-  input  logic                m_axi_awready_i,
-  output addr_t               m_axi_awaddr_o,
-  output logic [3:0]          m_axi_awid_o,
-  output logic [7:0]          m_axi_awlen_o,
-  output logic [2:0]          m_axi_awsize_o,
-  output logic [1:0]          m_axi_awburst_o,
-  output logic [3:0]          m_axi_awcache_o,
-  output logic [2:0]          m_axi_awprot_o,
-  output logic                m_axi_wvalid_o,
-  input  logic                m_axi_wready_i,
-  output beat_t               m_axi_wdata_o,
-  output logic [StrbW-1:0]    m_axi_wstrb_o,
-  output logic                m_axi_wlast_o,
-  input  logic                m_axi_bvalid_i,
-  output logic                m_axi_bready_o,
-  input  logic [3:0]          m_axi_bid_i,
-  input  logic [1:0]          m_axi_bresp_i
+  // AXI4 memory: of each port its part of a signal, port 0's the lowest
+  output logic [Ports-1:0]            m_axi_arvalid_o,
+  input  logic [Ports-1:0]            m_axi_arready_i,
+  output logic [Ports-1:0][AddrW-1:0] m_axi_araddr_o,
+  output logic [Ports-1:0][3:0]       m_axi_arid_o,
+  output logic [Ports-1:0][7:0]       m_axi_arlen_o,
+  output logic [Ports-1:0][2:0]       m_axi_arsize_o,
+  output logic [Ports-1:0][1:0]       m_axi_arburst_o,
+  output logic [Ports-1:0][3:0]       m_axi_arcache_o,
+  output logic [Ports-1:0][2:0]       m_axi_arprot_o,
+  input  logic [Ports-1:0]            m_axi_rvalid_i,
+  output logic [Ports-1:0]            m_axi_rready_o,
+  input  logic [Ports-1:0][DataW-1:0] m_axi_rdata_i,
+  input  logic [Ports-1:0][3:0]       m_axi_rid_i,
+  input  logic [Ports-1:0][1:0]       m_axi_rresp_i,
+  input  logic [Ports-1:0]            m_axi_rlast_i,
+  output logic [Ports-1:0]            m_axi_awvalid_o,
+  input  logic [Ports-1:0]            m_axi_awready_i,
+  output logic [Ports-1:0][AddrW-1:0] m_axi_awaddr_o,
+  output logic [Ports-1:0][3:0]       m_axi_awid_o,
+  output logic [Ports-1:0][7:0]       m_axi_awlen_o,
+  output logic [Ports-1:0][2:0]       m_axi_awsize_o,
+  output logic [Ports-1:0][1:0]       m_axi_awburst_o,
+  output logic [Ports-1:0][3:0]       m_axi_awcache_o,
+  output logic [Ports-1:0][2:0]       m_axi_awprot_o,
+  output logic [Ports-1:0]            m_axi_wvalid_o,
+  input  logic [Ports-1:0]            m_axi_wready_i,
+  output logic [Ports-1:0][DataW-1:0] m_axi_wdata_o,
+  output logic [Ports-1:0][StrbW-1:0] m_axi_wstrb_o,
+  output logic [Ports-1:0]            m_axi_wlast_o,
+  input  logic [Ports-1:0]            m_axi_bvalid_i,
+  output logic [Ports-1:0]            m_axi_bready_o,
+  input  logic [Ports-1:0][3:0]       m_axi_bid_i,
+  input  logic [Ports-1:0][1:0]       m_axi_bresp_i
 );
   if (Lanes < 1 || Lanes > 8) begin : g_lanes
     $error("castray_core: Lanes must be 1 to 8");
@@ -121,29 +122,29 @@ module castray_core
   // ---- Memory ----
   logic [ReadClients-1:0]  read_valid, read_ready, rsp_valid;
   read_req_t               read_req [ReadClients];
-  read_rsp_t               rsp;
+  read_rsp_t               rsp [ReadClients];
+  logic [Ports-1:0]        read_beat;
   logic [WriteClients-1:0] write_valid, write_ready;
   write_req_t              write_req [WriteClients];
-  logic                    read_beat, write_beat;
+  logic                    write_beat;
 
-  axi_reader u_axi_reader (
+  axi_ports #(.Ports(Ports)) u_axi_ports (
     .clk_i, .rst_ni,
-    .req_valid_i(read_valid), .req_ready_o(read_ready), .req_i(read_req),
+    .read_valid_i(read_valid), .read_ready_o(read_ready), .read_i(read_req),
     .rsp_valid_o(rsp_valid), .rsp_o(rsp),
-    .block_i(block), .idle_o(read_idle), .error_o(read_error), .beat_o(read_beat),
+    .line_valid_i('0), .line_ready_o(), .line_i('{default: '0}),
+    .line_rsp_valid_o(), .line_rsp_o(),
+    .write_valid_i(write_valid), .write_ready_o(write_ready), .write_i(write_req),
+    .block_i(block), .read_idle_o(read_idle), .write_idle_o(write_idle),
+    .read_error_o(read_error), .write_error_o(write_error),
+    .read_beat_o(read_beat), .write_beat_o(write_beat),
     .m_axi_arvalid_o, .m_axi_arready_i, .m_axi_araddr_o, .m_axi_arid_o, .m_axi_arlen_o,
-    .m_axi_arsize_o, .m_axi_arburst_o, .m_axi_arcache_o, .m_axi_arprot_o,
-    .m_axi_rvalid_i, .m_axi_rready_o, .m_axi_rdata_i, .m_axi_rid_i, .m_axi_rresp_i, .m_axi_rlast_i
-  );
-
-  axi_writer u_axi_writer (
-    .clk_i, .rst_ni,
-    .req_valid_i(write_valid), .req_ready_o(write_ready), .req_i(write_req),
-    .block_i(block), .idle_o(write_idle), .error_o(write_error), .beat_o(write_beat),
-    .m_axi_awvalid_o, .m_axi_awready_i, .m_axi_awaddr_o, .m_axi_awid_o, .m_axi_awlen_o,
-    .m_axi_awsize_o, .m_axi_awburst_o, .m_axi_awcache_o, .m_axi_awprot_o,
-    .m_axi_wvalid_o, .m_axi_wready_i, .m_axi_wdata_o, .m_axi_wstrb_o, .m_axi_wlast_o,
-    .m_axi_bvalid_i, .m_axi_bready_o, .m_axi_bid_i, .m_axi_bresp_i
+    .m_axi_arsize_o, .m_axi_arburst_o, .m_axi_arcache_o, .m_axi_arprot_o, .m_axi_rvalid_i,
+    .m_axi_rready_o, .m_axi_rdata_i, .m_axi_rid_i, .m_axi_rresp_i, .m_axi_rlast_i, .m_axi_awvalid_o,
+    .m_axi_awready_i, .m_axi_awaddr_o, .m_axi_awid_o, .m_axi_awlen_o, .m_axi_awsize_o,
+    .m_axi_awburst_o, .m_axi_awcache_o, .m_axi_awprot_o, .m_axi_wvalid_o, .m_axi_wready_i,
+    .m_axi_wdata_o, .m_axi_wstrb_o, .m_axi_wlast_o, .m_axi_bvalid_i, .m_axi_bready_o, .m_axi_bid_i,
+    .m_axi_bresp_i
   );
 
   job_loader u_job_loader (
@@ -152,7 +153,7 @@ module castray_core
     .header_o(header), .record_o(record),
     .req_valid_o(read_valid[ReadJob]), .req_ready_i(read_ready[ReadJob]),
     .req_o(read_req[ReadJob]),
-    .rsp_valid_i(rsp_valid[ReadJob]), .rsp_i(rsp)
+    .rsp_valid_i(rsp_valid[ReadJob]), .rsp_i(rsp[ReadJob])
   );
 
   // ---- Camera ----
@@ -188,7 +189,7 @@ module castray_core
     .in_valid_i(ray_valid), .in_ready_o(ray_ready), .in_i(ray),
     .out_valid_o(hit_valid), .out_ready_i(hit_ready), .out_o(hit),
     .read_valid_o(read_valid[ReadPrimitive]), .read_ready_i(read_ready[ReadPrimitive]),
-    .read_o(read_req[ReadPrimitive]), .rsp_valid_i(rsp_valid[ReadPrimitive]), .rsp_i(rsp),
+    .read_o(read_req[ReadPrimitive]), .rsp_valid_i(rsp_valid[ReadPrimitive]), .rsp_i(rsp[ReadPrimitive]),
     .test_o(test_event), .ray_o(ray_event), .hit_o(hit_event), .cand_o(cand_event),
     .batch_o(batch_event), .test_stall_o(test_stall), .fetch_stall_o(fetch_stall)
   );
@@ -200,7 +201,7 @@ module castray_core
     .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
     .in_valid_i(hit_valid), .in_ready_o(hit_ready), .in_i(hit),
     .read_valid_o(read_valid[ReadAttribute]), .read_ready_i(read_ready[ReadAttribute]),
-    .read_o(read_req[ReadAttribute]), .rsp_valid_i(rsp_valid[ReadAttribute]), .rsp_i(rsp),
+    .read_o(read_req[ReadAttribute]), .rsp_valid_i(rsp_valid[ReadAttribute]), .rsp_i(rsp[ReadAttribute]),
     .pixel_valid_o(write_valid[WritePixel]), .pixel_ready_i(write_ready[WritePixel]),
     .pixel_o(write_req[WritePixel]),
     .record_valid_o(write_valid[WriteHit]), .record_ready_i(write_ready[WriteHit]),
@@ -210,13 +211,19 @@ module castray_core
   assign empty = traversal_idle && shading_idle;
 
   // ---- Counters ----
-  counters #(.Lanes(Lanes)) u_counters (
-    .clk_i, .rst_ni,
-    .clear_i(start), .running_i(running),
-    .test_i(test_event), .ray_i(ray_event), .hit_i(hit_event), .candidate_i(cand_event),
-    .batch_i(batch_event), .test_stall_i(test_stall), .fetch_stall_i(fetch_stall),
-    .attr_hit_i(attr_hit), .attr_miss_i(attr_miss),
-    .read_beat_i(read_beat), .write_beat_i(write_beat),
-    .counts_o(counts)
-  );
+  logic [EventBits-1:0] events [Counters];
+  assign events[CntCycles]      = EventBits'(running);
+  assign events[CntTests]       = EventBits'(test_event);
+  assign events[CntRays]        = EventBits'(ray_event);
+  assign events[CntHits]        = EventBits'(hit_event);
+  assign events[CntCandidates]  = EventBits'(cand_event);
+  assign events[CntBatches]     = EventBits'(batch_event);
+  assign events[CntTestStalls]  = EventBits'(test_stall);
+  assign events[CntFetchStalls] = EventBits'(fetch_stall);
+  assign events[CntAttrHits]    = EventBits'(attr_hit);
+  assign events[CntAttrMisses]  = EventBits'(attr_miss);
+  assign events[CntReadBeats]   = EventBits'(read_beat);
+  assign events[CntWriteBeats]  = EventBits'(write_beat);
+
+  counters u_counters (.clk_i, .rst_ni, .clear_i(start), .events_i(events), .counts_o(counts));
 endmodule

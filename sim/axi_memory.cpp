@@ -22,8 +22,22 @@ AxiTiming AxiTiming::named(const std::string& name) {
   return timing;
 }
 
+AxiCounters& AxiCounters::operator+=(const AxiCounters& other) {
+  reads += other.reads;
+  read_beats += other.read_beats;
+  writes += other.writes;
+  write_beats += other.write_beats;
+  bytes_written += other.bytes_written;
+  errors += other.errors;
+  reordered += other.reordered;
+  dropped += other.dropped;
+  most_reads = std::max(most_reads, other.most_reads);
+  most_writes = std::max(most_writes, other.most_writes);
+  return *this;
+}
+
 AxiMemory::AxiMemory(Storage& storage, AxiTiming timing, Stalls stalls, std::uint64_t seed)
-    : storage_(storage), timing_(std::move(timing)), stalls_(std::move(stalls)), random_(seed) {
+    : storage_(&storage), timing_(std::move(timing)), stalls_(std::move(stalls)), random_(seed) {
   drive_.ar_ready = drive_.aw_ready = drive_.w_ready = true;
 }
 
@@ -84,7 +98,7 @@ void AxiMemory::store(Write& write, const AxiData& data) {
   AxiResponse response = response_at(first);
   for (unsigned i = 0; i < kBeatBytes; ++i) {
     if (!(data.strobes >> i & 1)) continue;
-    std::uint8_t* byte = storage_.find(first + i, 1);
+    std::uint8_t* byte = storage_->find(first + i, 1);
     if (!byte) response = kDecErr;
     if (byte && response == kOkay) *byte = static_cast<std::uint8_t>(data.data[i / 4] >> (8 * (i % 4)));
     ++counters_.bytes_written;
@@ -115,7 +129,7 @@ void AxiMemory::take_data(const AxiManager& m) {
 
 void AxiMemory::read_beat(const Read& read) {
   const std::uint64_t first = read.address.address / kBeatBytes * kBeatBytes + std::uint64_t{read.done} * kBeatBytes;
-  const std::uint8_t* bytes = storage_.find(first, kBeatBytes);
+  const std::uint8_t* bytes = storage_->find(first, kBeatBytes);
   drive_.r_response = bytes ? response_at(first) : kDecErr;
   drive_.r_data.fill(0);
   if (drive_.r_response == kOkay) std::memcpy(drive_.r_data.data(), bytes, kBeatBytes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory behind the core's AXI4 port: timing, stalls, errors, and the rules it watches over.
+// The memory behind one AXI4 port of the core: timing, stalls, errors, and the rules it watches over.
 //
 // The first beat of a read comes `latency` cycles after its address was taken, a write's response as
 // many cycles after its last beat; requests overlap; one read beat and one write beat a cycle. With
@@ -52,6 +52,8 @@ struct AxiCounters {
   std::uint64_t dropped = 0;        // bursts in flight when the reset came
   unsigned most_reads = 0;          // outstanding at once
   unsigned most_writes = 0;
+
+  AxiCounters& operator+=(const AxiCounters& other);
 };
 
 class AxiMemory {
@@ -115,7 +117,7 @@ class AxiMemory {
   // Which of a queue may answer now: the oldest, or with reorder any that is the oldest of its ID.
   template <class Queue> std::optional<std::size_t> pick(const Queue& queue, std::uint64_t now);
 
-  Storage& storage_;
+  Storage* storage_;
   AxiTiming timing_;
   Stalls stalls_;
   std::mt19937_64 random_;

@@ -47,7 +47,7 @@ Json rtl_run(const Frame& frame, const Core& core) {
   record["contexts"] = core.contexts;
   record["tile"] = 1 << core.tile_log2;
   record["walk"] = core.z_order ? "z" : "rows";
-  record["ports"] = 1;
+  record["ports"] = device.variant.ports;
   record["memory"] = device.timing.name;
   record["stalls"] = core.stalls == "none" ? Json() : Json(core.stalls);
   record["hit_buffer"] = core.hits;

@@ -7,9 +7,28 @@
 
 #include <stdexcept>
 
+#include "fixed.hpp"
 #include "core_model.hpp"
 
 namespace castray::sim {
+
+// A port's field of a signal that holds `width` bits for each port: up to 64 bits in all an integer,
+// else an array of 32-bit words.
+template <class Signal> std::uint64_t field(const Signal& signal, unsigned port, unsigned width) {
+  const unsigned low = port * width;
+  std::uint64_t bits;
+  if constexpr (std::is_integral_v<Signal>) {
+    bits = std::uint64_t{signal} >> low;
+  } else {
+    const unsigned word = low / 32, shift = low % 32;
+    bits = (signal[word] | std::uint64_t{signal[word + 1]} << 32) >> shift;
+  }
+  return bits & ((std::uint64_t{1} << width) - 1);
+}
+template <class Signal> void set_field(Signal& signal, unsigned port, unsigned width, unsigned value) {
+  const unsigned low = port * width, mask = ((1u << width) - 1) << low;
+  signal = static_cast<Signal>((signal & ~mask) | value << low);
+}
 
 template <class V> class CoreInstance final : public CoreModel {
  public:
@@ -21,14 +40,14 @@ template <class V> class CoreInstance final : public CoreModel {
     top_->clk_i = 0;
     top_->rst_ni = 0;
     lite_idle();
-    put({});
+    put(0, {});
   }
   ~CoreInstance() override {
     if (fst_) fst_->close();
     top_->final();
   }
 
-  bool run(AxiMemory& memory, std::uint64_t cycles) override {
+  bool run(MemoryPorts& memory, std::uint64_t cycles) override {
     while (cycles > 0) {
       const std::uint64_t some = std::min(cycles, until_trace_changes());
       if (tracing() ? run_some<true>(memory, some) : run_some<false>(memory, some)) return true;
@@ -37,7 +56,7 @@ template <class V> class CoreInstance final : public CoreModel {
     return false;
   }
 
-  void write_reg(AxiMemory& memory, unsigned offset, std::uint32_t value) override {
+  void write_reg(MemoryPorts& memory, unsigned offset, std::uint32_t value) override {
     V& v = *top_;
     v.s_axi_awvalid_i = v.s_axi_wvalid_i = 1;
     v.s_axi_awaddr_i = static_cast<std::uint16_t>(offset);
@@ -56,7 +75,7 @@ template <class V> class CoreInstance final : public CoreModel {
     });
   }
 
-  std::uint32_t read_reg(AxiMemory& memory, unsigned offset) override {
+  std::uint32_t read_reg(MemoryPorts& memory, unsigned offset) override {
     V& v = *top_;
     v.s_axi_arvalid_i = 1;
     v.s_axi_araddr_i = static_cast<std::uint16_t>(offset);
@@ -74,16 +93,16 @@ template <class V> class CoreInstance final : public CoreModel {
     return value;
   }
 
-  void reset(AxiMemory& memory, unsigned cycles) override {
+  void reset(MemoryPorts& memory, unsigned cycles) override {
     context_->assertOn(false);  // registers without reset may hold anything until its first edge
     top_->rst_ni = 0;
     lite_idle();
     for (unsigned i = 0; i < cycles; ++i) {
-      put(memory.drive());
+      for (unsigned port = 0; port < memory.count(); ++port) put(port, memory[port].drive());
       top_->clk_i = 0;
       top_->eval();
       dump();
-      memory.reset(i == 0 ? AxiManager{} : signals());
+      for (unsigned port = 0; port < memory.count(); ++port) memory[port].reset(i == 0 ? AxiManager{} : signals(port));
       edge<true>(memory);
     }
     top_->rst_ni = 1;
@@ -105,43 +124,50 @@ template <class V> class CoreInstance final : public CoreModel {
     v.s_axi_awvalid_i = v.s_axi_wvalid_i = v.s_axi_bready_i = v.s_axi_arvalid_i = v.s_axi_rready_i = 0;
   }
 
-  void put(const AxiSubordinate& s) {
+  // What the memory drives on a port.
+  void put(unsigned port, const AxiSubordinate& s) {
     V& v = *top_;
-    v.m_axi_arready_i = s.ar_ready;
-    v.m_axi_awready_i = s.aw_ready;
-    v.m_axi_wready_i = s.w_ready;
-    v.m_axi_rvalid_i = s.r_valid;
-    v.m_axi_rid_i = s.r_id;
-    v.m_axi_rresp_i = s.r_response;
-    v.m_axi_rlast_i = s.r_last;
-    for (int i = 0; i < 4; ++i) v.m_axi_rdata_i[i] = s.r_data[i];
-    v.m_axi_bvalid_i = s.b_valid;
-    v.m_axi_bid_i = s.b_id;
-    v.m_axi_bresp_i = s.b_response;
+    set_field(v.m_axi_arready_i, port, 1, s.ar_ready);
+    set_field(v.m_axi_awready_i, port, 1, s.aw_ready);
+    set_field(v.m_axi_wready_i, port, 1, s.w_ready);
+    set_field(v.m_axi_rvalid_i, port, 1, s.r_valid);
+    set_field(v.m_axi_rid_i, port, 4, s.r_id);
+    set_field(v.m_axi_rresp_i, port, 2, s.r_response);
+    set_field(v.m_axi_rlast_i, port, 1, s.r_last);
+    for (unsigned i = 0; i < 4; ++i) v.m_axi_rdata_i[4 * port + i] = s.r_data[i];
+    set_field(v.m_axi_bvalid_i, port, 1, s.b_valid);
+    set_field(v.m_axi_bid_i, port, 4, s.b_id);
+    set_field(v.m_axi_bresp_i, port, 2, s.b_response);
   }
 
-  AxiManager signals() const {
+  // What the core drives on a port.
+  AxiManager signals(unsigned port) const {
     V& v = *top_;
     AxiManager m;
-    m.ar_valid = v.m_axi_arvalid_o;
-    m.aw_valid = v.m_axi_awvalid_o;
-    m.w_valid = v.m_axi_wvalid_o;
-    m.r_ready = v.m_axi_rready_o;
-    m.b_ready = v.m_axi_bready_o;
+    m.ar_valid = v.m_axi_arvalid_o >> port & 1;
+    m.aw_valid = v.m_axi_awvalid_o >> port & 1;
+    m.w_valid = v.m_axi_wvalid_o >> port & 1;
+    m.r_ready = v.m_axi_rready_o >> port & 1;
+    m.b_ready = v.m_axi_bready_o >> port & 1;
     if (m.ar_valid)
-      m.ar = {v.m_axi_araddr_o, v.m_axi_arid_o, v.m_axi_arlen_o, v.m_axi_arsize_o, v.m_axi_arburst_o, v.m_axi_arcache_o};
+      m.ar = {field(v.m_axi_araddr_o, port, AddrW), byte(v.m_axi_arid_o, port, 4), byte(v.m_axi_arlen_o, port, 8),
+              byte(v.m_axi_arsize_o, port, 3), byte(v.m_axi_arburst_o, port, 2), byte(v.m_axi_arcache_o, port, 4)};
     if (m.aw_valid)
-      m.aw = {v.m_axi_awaddr_o, v.m_axi_awid_o, v.m_axi_awlen_o, v.m_axi_awsize_o, v.m_axi_awburst_o, v.m_axi_awcache_o};
+      m.aw = {field(v.m_axi_awaddr_o, port, AddrW), byte(v.m_axi_awid_o, port, 4), byte(v.m_axi_awlen_o, port, 8),
+              byte(v.m_axi_awsize_o, port, 3), byte(v.m_axi_awburst_o, port, 2), byte(v.m_axi_awcache_o, port, 4)};
     if (m.w_valid) {
-      for (int i = 0; i < 4; ++i) m.w.data[i] = v.m_axi_wdata_o[i];
-      m.w.strobes = v.m_axi_wstrb_o;
-      m.w.last = v.m_axi_wlast_o;
+      for (unsigned i = 0; i < 4; ++i) m.w.data[i] = v.m_axi_wdata_o[4 * port + i];
+      m.w.strobes = static_cast<std::uint16_t>(field(v.m_axi_wstrb_o, port, kBeatBytes));
+      m.w.last = v.m_axi_wlast_o >> port & 1;
     }
     return m;
   }
+  template <class Signal> static std::uint8_t byte(const Signal& signal, unsigned port, unsigned width) {
+    return static_cast<std::uint8_t>(field(signal, port, width));
+  }
 
   // ---- Cycles ----
-  template <bool kTrace> bool run_some(AxiMemory& memory, std::uint64_t cycles) {
+  template <bool kTrace> bool run_some(MemoryPorts& memory, std::uint64_t cycles) {
     V& v = *top_;
     for (; cycles > 0; --cycles) {
       settle<kTrace>(memory);
@@ -151,17 +177,21 @@ template <class V> class CoreInstance final : public CoreModel {
     return false;
   }
 
-  template <bool kTrace> void settle(AxiMemory& memory) {
+  template <bool kTrace> void settle(MemoryPorts& memory) {
     V& v = *top_;
-    if (memory.moved()) put(memory.drive());
+    for (unsigned port = 0; port < memory.count(); ++port)
+      if (memory[port].moved()) put(port, memory[port].drive());
     v.clk_i = 0;
     v.eval();
     if (kTrace) dump();
-    if (memory.asleep() && !(v.m_axi_arvalid_o | v.m_axi_awvalid_o | v.m_axi_wvalid_o)) memory.skip();
-    else memory.step(signals());
+    const auto offered = v.m_axi_arvalid_o | v.m_axi_awvalid_o | v.m_axi_wvalid_o;
+    for (unsigned port = 0; port < memory.count(); ++port) {
+      if (memory[port].asleep() && !(offered >> port & 1)) memory[port].skip();
+      else memory[port].step(signals(port));
+    }
   }
 
-  template <bool kTrace> void edge(AxiMemory&) {
+  template <bool kTrace> void edge(MemoryPorts&) {
     top_->clk_i = 1;
     top_->eval();
     ++cycle_;
@@ -169,7 +199,7 @@ template <class V> class CoreInstance final : public CoreModel {
   }
 
   // sample() looks at the settled ports and returns what to do after the edge: true ends the access.
-  template <class Sample> void access(AxiMemory& memory, const char* what, unsigned offset, Sample&& sample) {
+  template <class Sample> void access(MemoryPorts& memory, const char* what, unsigned offset, Sample&& sample) {
     for (int i = 0; i < 1000; ++i) {
       settle<true>(memory);
       const auto after = sample();

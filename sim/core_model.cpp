@@ -17,18 +17,20 @@ std::filesystem::path cores_folder() {
   std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (; folder.has_relative_path(); folder = folder.parent_path())
     if (std::filesystem::is_directory(folder / "cores")) return folder / "cores";
-  throw std::invalid_argument("no folder build/cores: build a core first, for example with 'make build/cores/l3c32t3.so'");
+  throw std::invalid_argument("no folder build/cores: build a core first, for example with 'make build/cores/l3c32t3p2m128.so'");
 }
 
 }  // namespace
 
 std::string CoreVariant::file() const {
-  return "l" + std::to_string(lanes) + "c" + std::to_string(contexts) + "t" + std::to_string(tile_log2) + ".so";
+  return "l" + std::to_string(lanes) + "c" + std::to_string(contexts) + "t" + std::to_string(tile_log2) + "p" +
+         std::to_string(ports) + "m" + std::to_string(l2_kbytes) + ".so";
 }
 
 std::string text_of(const CoreVariant& variant) {
   const std::string side = std::to_string(1 << variant.tile_log2);
-  return count(variant.lanes, "lane") + ", " + count(variant.contexts, "context") + " each, tiles of " + side + "x" + side;
+  return count(variant.lanes, "lane") + ", " + count(variant.contexts, "context") + " each, tiles of " + side + "x" + side + ", " +
+         count(variant.ports, "port") + ", " + (variant.l2_kbytes ? "L2 of " + std::to_string(variant.l2_kbytes) + " KB" : "no L2");
 }
 
 std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Verilated core without the name of its class. Every build variant (lanes, contexts, tile size)
+// The Verilated core without the name of its class. Every build variant (lanes, contexts, tile size, ports, L2)
 // is a shared object of its own under build/cores, made from core_instance.cpp (tools/core.mk), so
 // that a program needs only those that it uses.
 #pragma once
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "axi_memory.hpp"
 #include "castray_records.hpp"
+#include "memory_ports.hpp"
 
 namespace castray::sim {
 
@@ -18,9 +18,11 @@ struct CoreVariant {
   int lanes = DefaultLanes;
   int contexts = DefaultContexts;
   int tile_log2 = DefaultTileLog2;
+  int ports = DefaultPorts;
+  int l2_kbytes = DefaultL2Kbytes;
   auto operator<=>(const CoreVariant&) const = default;
 
-  std::string file() const;  // l3c32t3.so
+  std::string file() const;  // l3c32t3p2m128.so
 };
 
 class CoreModel {
@@ -28,13 +30,13 @@ class CoreModel {
   virtual ~CoreModel() = default;
 
   // At most so many clock cycles; true as soon as the interrupt is high.
-  virtual bool run(AxiMemory& memory, std::uint64_t cycles) = 0;
+  virtual bool run(MemoryPorts& memory, std::uint64_t cycles) = 0;
 
   // One access each on the AXI4-Lite port; throws std::runtime_error if the core does not answer.
-  virtual void write_reg(AxiMemory& memory, unsigned offset, std::uint32_t value) = 0;
-  virtual std::uint32_t read_reg(AxiMemory& memory, unsigned offset) = 0;
+  virtual void write_reg(MemoryPorts& memory, unsigned offset, std::uint32_t value) = 0;
+  virtual std::uint32_t read_reg(MemoryPorts& memory, unsigned offset) = 0;
 
-  virtual void reset(AxiMemory& memory, unsigned cycles) = 0;
+  virtual void reset(MemoryPorts& memory, unsigned cycles) = 0;
   // Waveforms (FST) of the cycles first <= cycle < last, counted since construction.
   virtual void trace(const std::string& file, std::uint64_t first, std::uint64_t last) = 0;
   virtual std::uint64_t cycle() const = 0;

@@ -17,9 +17,9 @@ RtlRun run_rtl(const SceneImage& image, const RtlOptions& device_options, const 
   run.rendering = driver.render(options, progress);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   run.bus = device.memory().counters();
-  run.shares = device.memory().stalls().shares();
+  run.shares = device.memory().shares();
   run.violations = device.violations();
-  run.messages = device.memory().checks().messages();
+  run.messages = device.memory().messages();
   return run;
 }
 

@@ -12,7 +12,7 @@ constexpr unsigned kResetCycles = 8;
 }  // namespace
 
 RtlDevice::RtlDevice(const RtlOptions& options)
-    : options_(options), memory_(storage_, options.timing, Stalls(options.stalls, options.seed), options.seed),
+    : options_(options), memory_(storage_, options.timing, options.stalls, options.seed, options.variant.ports),
       core_(make_core(options.variant, options.seed)) {
   if (!options.trace_file.empty()) core_->trace(options.trace_file, options.trace_first, options.trace_last);
   reset();
@@ -27,7 +27,7 @@ std::string RtlDevice::description() const {
 void RtlDevice::reset() {
   core_->reset(memory_, kResetCycles);
   written_.clear();
-  memory_.checks().set_windows({});
+  memory_.set_windows({});
 }
 
 void RtlDevice::write_reg(unsigned offset, std::uint32_t value) {
@@ -40,7 +40,7 @@ void RtlDevice::open_windows() {
   const job_t job = job_of_registers([&](unsigned offset) { return written_[offset]; });
   std::vector<Window> windows{{job.image, job.image_bytes, true, false}, {job.frame, job.frame_bytes, false, true}};
   if (job.want_hits) windows.push_back({job.hits, job.hits_bytes, false, true});
-  memory_.checks().set_windows(std::move(windows));
+  memory_.set_windows(windows);
   memory_.clear_counters();
   bytes_expected_ = (job.x1 - job.x0) * (job.y1 - job.y0) * (PixelBytes + (job.want_hits ? HitBytes : 0));
 }
@@ -58,7 +58,7 @@ Wait RtlDevice::wait_interrupt(const Progress& progress) {
     if (memory_.cycle() - std::max(first_quiet, memory_.last_activity()) > options_.patience) return Wait::kHung;
   }
   if (progress) progress(fraction(), core_->cycle() - first);
-  if (!memory_.idle()) memory_.checks().report(memory_.cycle(), "the job ended with transfers unanswered");
+  if (!memory_.idle()) memory_[0].checks().report(memory_.cycle(), "the job ended with transfers unanswered");
   return Wait::kInterrupt;
 }
 

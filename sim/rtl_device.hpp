@@ -6,7 +6,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "axi_memory.hpp"
 #include "core_model.hpp"
 #include "device.hpp"
 
@@ -41,9 +40,9 @@ class RtlDevice final : public Device {
   bool advance(std::uint64_t cycles) { return core_->run(memory_, cycles); }
   std::uint64_t cycle() const { return core_->cycle(); }
 
-  AxiMemory& memory() { return memory_; }
+  MemoryPorts& memory() { return memory_; }
   // Rules of the bus that the core broke, and what it left undone at the end of a job.
-  std::uint64_t violations() { return memory_.checks().count(); }
+  std::uint64_t violations() { return memory_.violations(); }
 
  private:
   // The job as the registers stand: its windows are what the core may touch.
@@ -52,7 +51,7 @@ class RtlDevice final : public Device {
 
   RtlOptions options_;
   Storage storage_;
-  AxiMemory memory_;
+  MemoryPorts memory_;
   std::unique_ptr<CoreModel> core_;
   std::unordered_map<unsigned, std::uint32_t> written_;  // the argument registers
   std::uint64_t bytes_expected_ = 0;                     // of frame and hits

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 # The simulator: the core Verilated once for each variant, the programs that drive it, their tests.
 #
-# A variant is named by its parameters: l3c32t3 has 3 lanes, 32 contexts each and tiles of 2^3 pixels
+# A variant is named by its parameters: l3c32t3p2m128 has 3 lanes, 32 contexts each and tiles of 2^3 pixels
 # a side. build/cores/<variant>.so is loaded by name when a program asks for it.
 default_of   = $(shell sed -n 's/.*unsigned Default$(1) *= \([0-9]*\);.*/\1/p' rtl/pkg/castray_cfg_pkg.sv)
-CORES_RENDER := l$(call default_of,Lanes)c$(call default_of,Contexts)t$(call default_of,TileLog2)
-CORES_TEST   := l1c32t3 l2c32t3 l3c32t3 l4c32t3
-CORES_BENCH  := $(CORES_TEST) l1c1t3 l8c32t3 l3c32t2 l3c32t4
+CORES_RENDER := l$(call default_of,Lanes)c$(call default_of,Contexts)t$(call default_of,TileLog2)p$(call default_of,Ports)m$(call default_of,L2Kbytes)
+CORES_TEST   := l1c32t3p1m0 l2c32t3p1m128 l3c32t3p2m128 l4c32t3p2m128
+CORES_BENCH  := $(CORES_TEST) l1c1t3p2m128 l1c32t3p2m128 l2c32t3p2m128 l8c32t3p2m128 l3c32t2p2m128 l3c32t4p2m128
 cores_files   = $(1:%=$(BUILD)/cores/%.so)
 
 CORE_RTL := $(RTL) sim/stream_probe.sv sim/stream_checks.sv
 # The variant that is built with assertions: every stream's contract is checked while it runs.
-CORES_CHECKED := l1c32t3
-# Parameters of a variant by its name: l3c32t3 -> -GLanes=3 -GContexts=32 -GTileLog2=3
-core_parameters = $(join -GLanes= -GContexts= -GTileLog2=,$(subst l,,$(subst t, ,$(subst c, ,$(1)))))
+CORES_CHECKED := l1c32t3p1m0
+# Parameters of a variant by its name: l3c32t3p2m128 -> -GLanes=3 -GContexts=32 -GTileLog2=3 -GPorts=2
+core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts=,$(wordlist 1,4,$(subst l,,$(subst m, ,$(subst p, ,$(subst t, ,$(subst c, ,$(1))))))))
 
 # The waveform writer first and with -O1: it is two thirds of the code and seldom runs. OPT_FAST,
 # because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
@@ -71,7 +71,7 @@ $(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
 	@$(CXX) $(CXXFLAGS) -Itb/common -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
-# A test that runs the core says on which variants: "// Cores: l1c32t3 l3c32t3".
+# A test that runs the core says on which variants: "// Cores: l1c32t3p1m0 l3c32t3p2m128".
 $(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(shell sed -n 's,^// Cores: ,,p' $(t)))))
 
 .PHONY: cores

@@ -47,6 +47,8 @@ package castray_cfg_pkg;
   localparam int unsigned DefaultLanes       = 3;    // 1 to 8
   localparam int unsigned DefaultContexts    = 32;   // rays in flight in each lane, 1 to 2^CtxW
   localparam int unsigned DefaultTileLog2    = 3;    // tiles of 4x4, 8x8 or 16x16 pixels: 2, 3 or 4
+  localparam int unsigned DefaultPorts       = 2;    // of memory, 128 bits each: 1 or 2
+  localparam int unsigned DefaultL2Kbytes    = 128;  // of the cache that all lanes share; 0: none
   localparam int unsigned DefaultAttrEntries = 128;  // places of the attribute cache
   localparam int unsigned DefaultAttrMisses  = 16;   // its lines outstanding
 

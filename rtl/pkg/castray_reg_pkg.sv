@@ -41,6 +41,7 @@ package castray_reg_pkg;
   localparam int unsigned CntReadBeats    = 10;
   localparam int unsigned CntWriteBeats   = 11;
   localparam int unsigned Counters        = 12;
+  localparam int unsigned EventBits       = 8;   // events of one counter in a cycle: one a lane
 
   // Bits of RegControl.
   localparam int unsigned CtrlStart       = 0;

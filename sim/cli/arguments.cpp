@@ -38,6 +38,8 @@ void CoreArguments::add_to(CLI::App& command) {
   command.add_option("--lanes", lanes, "lanes of the core")->capture_default_str();
   command.add_option("--contexts", contexts, "rays in flight in each lane")->capture_default_str();
   command.add_option("--tile", tile, "side of a tile in pixels")->check(CLI::IsMember({4, 8, 16}))->capture_default_str();
+  command.add_option("--ports", ports, "memory ports of the core")->check(CLI::IsMember({1, 2}))->capture_default_str();
+  command.add_option("--l2", l2_kbytes, "KB of the shared cache; 0: none")->capture_default_str();
   command.add_option("--memory", memory, "timing of the memory: reference, or hp with 8 requests outstanding")
       ->check(CLI::IsMember({"reference", "hp"}))->capture_default_str();
   command.add_option("--stalls", stalls, "pattern of stalls on the five channels of the memory")
@@ -48,7 +50,7 @@ void CoreArguments::add_to(CLI::App& command) {
 
 sim::RtlOptions CoreArguments::options() const {
   sim::RtlOptions options;
-  options.variant = {lanes, contexts, static_cast<int>(std::bit_width(static_cast<unsigned>(tile))) - 1};
+  options.variant = {lanes, contexts, static_cast<int>(std::bit_width(static_cast<unsigned>(tile))) - 1, ports, l2_kbytes};
   options.timing = sim::AxiTiming::named(memory);
   options.timing.reorder = reorder;
   options.stalls = stalls;
@@ -62,6 +64,8 @@ std::string CoreArguments::text() const {
   if (lanes != none.lanes) text += " --lanes " + std::to_string(lanes);
   if (contexts != none.contexts) text += " --contexts " + std::to_string(contexts);
   if (tile != none.tile) text += " --tile " + std::to_string(tile);
+  if (ports != none.ports) text += " --ports " + std::to_string(ports);
+  if (l2_kbytes != none.l2_kbytes) text += " --l2 " + std::to_string(l2_kbytes);
   if (memory != none.memory) text += " --memory " + memory;
   if (stalls != none.stalls) text += " --stalls " + stalls;
   if (reorder) text += " --reorder";

@@ -24,6 +24,8 @@ struct CoreArguments {
   int lanes = DefaultLanes;
   int contexts = DefaultContexts;
   int tile = 1 << DefaultTileLog2;
+  int ports = DefaultPorts;
+  int l2_kbytes = DefaultL2Kbytes;
   std::string memory = "reference";
   std::string stalls = "none";
   bool reorder = false;

@@ -25,7 +25,8 @@ Json report_of(const sim::RtlRun& run, const sim::RtlOptions& options) {
   json["lanes"] = options.variant.lanes;
   json["contexts"] = options.variant.contexts;
   json["tile"] = 1 << options.variant.tile_log2;
-  json["ports"] = 1;
+  json["ports"] = options.variant.ports;
+  json["l2_kbytes"] = options.variant.l2_kbytes;
   json["memory"] = options.timing.name;
   json["stalls"] = options.stalls == "none" ? Json() : Json(options.stalls);
   json["seed"] = options.seed;

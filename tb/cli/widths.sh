@@ -44,7 +44,7 @@ for unit in $units; do
 done
 
 if [[ ${1:-} == --core ]]; then
-  make -s build/castray build/cores/l1c32t3.so
+  make -s build/castray build/cores/l1c32t3p1m0.so
   for scene in cube spheres; do
     build/castray render "scenes/$scene.json" --engine rtl --lanes 1 --size 48x32 --check -o picture.png
   done

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // 200 seeded random scenes, RTL against model: every pixel, every raw hit record, the counters.
-// Cores: l1c32t3 l2c32t3 l3c32t3 l4c32t3
+// Cores: l1c32t3p1m0 l2c32t3p1m128 l3c32t3p2m128 l4c32t3p2m128
 #include "frame/frame.hpp"
 #include "frame/random_scene.hpp"
 #include "reference_check.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A reset at any moment, in the midst of bursts too: the next frame is good.
-// Cores: l3c32t3
+// Cores: l3c32t3p2m128
 #include "frame/frame.hpp"
 
 namespace castray::tb {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program from outside: bad input ends with one line that names file, place and cause, with the
 // documented exit code, and with no picture; good input with all that was asked for.
-// Cores: l3c32t3
+// Cores: l3c32t3p2m128
 #include <gtest/gtest.h>
 #include <unistd.h>
 
