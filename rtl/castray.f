@@ -60,7 +60,9 @@ rtl/mem/attr_tags.sv
 rtl/mem/hit_writer.sv
 rtl/mem/job_loader.sv
 rtl/mem/line_cache.sv
+rtl/mem/line_memory.sv
 rtl/mem/line_misses.sv
+rtl/mem/line_port.sv
 rtl/mem/line_tags.sv
 rtl/mem/line_wake.sv
 rtl/mem/prim_reader.sv

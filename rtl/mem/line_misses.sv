@@ -39,36 +39,39 @@ module line_misses
     $error("line_misses: Misses must be 2 to %0d", 2 ** MissW);
   end
 
+  typedef logic [$clog2(Misses)-1:0] number_t;
   logic [Misses-1:0] used_q, match_q;
   line_no_t          line_q [Misses];
   id_t               head_q [Misses];
   id_t               next_q [2**$bits(id_t)];
-  miss_t             at;
+  number_t           at, find, finish;
+  assign find   = number_t'(find_i);
+  assign finish = number_t'(end_miss_i);
 
   // ---- Look: as the lines will be in cycle 1 ----
   always_ff @(posedge clk_i) begin
     if (look_i) begin
       for (int unsigned i = 0; i < Misses; i++)
-        match_q[i] <= (new_o && new_miss_o == miss_t'(i)) ? add_line_i == look_line_i
+        match_q[i] <= (new_o && at == number_t'(i)) ? add_line_i == look_line_i
                                                           : used_q[i] && line_q[i] == look_line_i;
     end
   end
 
   // ---- Add: to the line that matches, or to the first free number ----
   assign new_o      = add_i && match_q == '0;
-  assign new_miss_o = at;
+  assign new_miss_o = miss_t'(at);
   always_comb begin
     at = '0;
     if (add_i) begin
       for (int unsigned i = Misses; i > 0; i--)
-        if (match_q[i-1] || (match_q == '0 && !used_q[i-1])) at = miss_t'(i - 1);
+        if (match_q[i-1] || (match_q == '0 && !used_q[i-1])) at = number_t'(i - 1);
     end
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) used_q <= '0;
     else begin
       if (new_o) used_q[at] <= 1'b1;
-      if (end_i) used_q[end_miss_i] <= 1'b0;
+      if (end_i) used_q[finish] <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -79,8 +82,8 @@ module line_misses
     end
   end
 
-  assign find_line_o = line_q[find_i];
-  assign end_head_o  = head_q[end_miss_i];
+  assign find_line_o = line_q[find];
+  assign end_head_o  = head_q[finish];
   assign next_o      = next_q[id_i];
 
 `ifndef SYNTHESIS
@@ -89,7 +92,7 @@ module line_misses
       assert (!new_o || used_q != '1) else $error("no number is free");
       assert ($onehot0(match_q)) else $error("a line is waited for twice");
     end
-    if (rst_ni && end_i) assert (used_q[end_miss_i]) else $error("nobody waits for this line");
+    if (rst_ni && end_i) assert (used_q[finish]) else $error("nobody waits for this line");
   end
 `endif
 endmodule

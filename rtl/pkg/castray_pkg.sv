@@ -269,7 +269,7 @@ package castray_pkg;
   typedef logic [LineNoW-1:0] line_no_t;
   typedef logic [4*DataW-1:0] line_data_t;
   // The lines that a cache waits for have numbers: it asks for a line and gets it under one.
-  localparam int unsigned MissW = 4;
+  localparam int unsigned MissW = 5;
   typedef logic [MissW-1:0]   miss_t;
   typedef struct packed {
     miss_t    miss;

@@ -83,7 +83,7 @@ class LineCacheUnit : public testing::TestWithParam<Stalls> {
       if (!due.empty()) filling_ = due[rng_() % due.size()];
     }
     line_fill_t fill;
-    fill.miss = rng_() % kMisses;
+    fill.miss = rng_() % (1 << MissW);
     if (filling_) fill.miss = *filling_, fill.data = data_of(asked_[*filling_].line);
     dut_->fill_valid_i = filling_.has_value();
     set_port(dut_->fill_i, fill);
