@@ -18,7 +18,7 @@ $(BUILD)/obj/verilated/%.o: $(VERILATOR_ROOT)/include/%.cpp
 	@$(CXX) -std=c++20 -O2 -I$(VERILATOR_ROOT)/include -I$(VERILATOR_ROOT)/include/vltstd -DVM_TRACE=0 -c $< -o $@
 VERILATED_OBJ := $(BUILD)/obj/verilated/verilated.o $(BUILD)/obj/verilated/verilated_threads.o
 
-LIBS      := -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -latomic -lpthread
+LIBS      := -lembree3 -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -latomic -lpthread
 TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
 
 # tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated

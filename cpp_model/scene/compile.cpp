@@ -6,9 +6,11 @@
 #include <cstring>
 
 #include "fixed.hpp"
+#include "scene/bvh.hpp"
 #include "scene/camera.hpp"
 #include "scene/frame.hpp"
 #include "scene/grid.hpp"
+#include "scene/node.hpp"
 #include "scene/text.hpp"
 
 namespace castray {
@@ -73,7 +75,9 @@ class Compiler {
     primitives();
     if (slots_.empty())
       throw SceneError(scene_.file, "scene", "nothing is left on a grid of 2^" + std::to_string(grid_.power) + ": scene and camera lie too far apart");
-    lay_out();
+    std::vector<Box> boxes(slots_.size());
+    std::ranges::transform(slots_, boxes.begin(), padded_box);
+    lay_out(build_bvh(boxes));
     return std::move(image_);
   }
 
@@ -133,26 +137,31 @@ class Compiler {
       image_.warnings.push_back(scene_.file + ": " + counted(count, noun) + " dropped: " + state + " on the grid of 2^" + std::to_string(grid_.power));
   }
 
-  void lay_out() {
+  void lay_out(const Bvh& bvh) {
     image_header_t& header = image_.header;
     header.magic = ImageMagic;
     header.version = ImageVersion;
     header.parameters = ImageParameters;
     header.grid_power = grid_.power;
     header.primitives = attributes_.size();
-    header.lines = {.offset = aligned(HeaderBytes + FrameBytes), .count = (slots_.size() + 1) / 2};
+    header.lines = {.offset = aligned(HeaderBytes + FrameBytes), .count = bvh.leaves.size()};
     header.attributes = {.offset = aligned(header.lines.offset + header.lines.count * LineBytes), .count = attributes_.size()};
-    header.nodes = {.offset = aligned(header.attributes.offset + header.attributes.count * AttrBytes), .count = 0};
-    header.image_bytes = header.nodes.offset;
+    header.nodes = {.offset = aligned(header.attributes.offset + header.attributes.count * AttrBytes), .count = bvh.nodes.size()};
+    header.image_bytes = aligned(header.nodes.offset + header.nodes.count * NodeBytes);
+    header.root = ref_word(RefNode, 0);
     header.corner_x = grid_.corner[0];
     header.corner_y = grid_.corner[1];
     header.corner_z = grid_.corner[2];
 
-    if (slots_.size() % 2 != 0) slots_.push_back({.number = kNoNumber});
     image_.bytes.assign(header.image_bytes, 0);
     put(image_.bytes, 0, header);
     put(image_.bytes, HeaderBytes, image_.frame);
-    for (std::size_t i = 0; i < slots_.size(); ++i) put(image_.bytes, header.lines.offset + i * SlotBytes, slots_[i]);
+    for (std::size_t i = 0; i < bvh.leaves.size(); ++i)
+      for (std::size_t k = 0; k < 2; ++k) {
+        const std::uint32_t slot = bvh.leaves[i][k];
+        put(image_.bytes, header.lines.offset + i * LineBytes + k * SlotBytes, slot == Bvh::kNone ? prim_slot_t{.number = kNoNumber} : slots_[slot]);
+      }
+    for (std::size_t i = 0; i < bvh.nodes.size(); ++i) put(image_.bytes, header.nodes.offset + i * NodeBytes, bvh.nodes[i]);
     for (std::size_t i = 0; i < attributes_.size(); ++i) put(image_.bytes, header.attributes.offset + i * AttrBytes, attributes_[i]);
   }
 

@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "scene/compile.hpp"
+#include "scene/tree_facts.hpp"
 #include "summary.hpp"
 
 namespace castray::cli {
@@ -30,6 +31,12 @@ void info(const SceneArguments& arguments) {
   line("grid", text);
   line("image", grouped(image.bytes.size()) + " bytes: " + grouped(image.header.lines.count) + " lines of primitives, " +
                     grouped(image.header.attributes.count) + " attributes");
+  const TreeFacts tree = tree_facts(image);
+  std::snprintf(text, sizeof text, "%s nodes of %.2f children in %u levels, %s leaves of %.2f primitives", grouped(tree.nodes).c_str(), tree.children,
+                tree.depth, grouped(tree.leaves).c_str(), tree.occupancy);
+  line("hierarchy", text);
+  std::snprintf(text, sizeof text, "%.2f nodes, %.2f leaves, %.2f tests of a line through the scene's box", tree.nodes_met, tree.leaves_met, tree.tests_met);
+  line("  heuristic", text);
   for (const std::string& warning : image.warnings) line("warning", warning);
 }
 

@@ -84,9 +84,12 @@ TEST_F(Compile, GridRoundsToNearest) {
 // ---- Layout ----
 
 TEST_F(Compile, SectionsFollowEachOtherAligned) {
-  Scene scene = small_scene();
-  for (int i = 0; i < 8; ++i) scene.triangles.push_back(scene.triangles[0]);
-  scene.spheres.push_back({.centre = {1, 1, 1}, .radius = 0.25, .material = Material::ColourB});
+  Scene scene = small_scene();  // five pairs, far apart: a triangle and the same once more, or a sphere
+  for (int i = 1; i < 9; ++i) {
+    const Vec3 at(8 * (i / 2), 0, 0);
+    scene.triangles.push_back(triangle(at, at + Vec3(1, 0, 0), at + Vec3(0, 1, 0)));
+  }
+  scene.spheres.push_back({.centre = {32.5, 0.5, 0}, .radius = 0.5, .material = Material::ColourB});
   const SceneImage image = compile(scene, 33, 17);
   const image_header_t header = read<image_header_t>(image, 0);
   EXPECT_EQ(header, image.header);
@@ -97,12 +100,17 @@ TEST_F(Compile, SectionsFollowEachOtherAligned) {
   EXPECT_EQ(header.primitives, 10u);
   EXPECT_EQ(header.lines, (section_t{.offset = 256, .count = 5}));
   EXPECT_EQ(header.attributes, (section_t{.offset = 768, .count = 10}));  // 256 + 5 x 64, aligned
-  EXPECT_EQ(header.nodes, (section_t{.offset = 1536, .count = 0}));       // 768 + 10 x 64, aligned
-  EXPECT_EQ(header.image_bytes, 1536u);
-  EXPECT_EQ(image.bytes.size(), 1536u);
+  EXPECT_EQ(header.nodes, (section_t{.offset = 1536, .count = 2}));       // 768 + 10 x 64, aligned
+  EXPECT_EQ(header.image_bytes, 1792u);                                   // 1536 + 2 x 64, aligned
+  EXPECT_EQ(header.root, 1u << 22);
+  EXPECT_EQ(image.bytes.size(), 1792u);
   EXPECT_EQ(read<frame_record_t>(image, HeaderBytes), image.frame);
-  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(read<prim_slot_t>(image, 256 + 32 * i).number, i);
-  EXPECT_EQ(read<prim_slot_t>(image, 256 + 32 * 9).kind, std::uint64_t{KindSphere});
+  for (std::size_t i = 0; i < 10; i += 2) {
+    const auto first = read<prim_slot_t>(image, 256 + 32 * i), second = read<prim_slot_t>(image, 256 + 32 * (i + 1));
+    EXPECT_EQ(first.number % 2, 0u);
+    EXPECT_EQ(second.number, first.number + 1);
+    EXPECT_EQ(second.kind, std::uint64_t(second.number == 9 ? KindSphere : KindTriangle));
+  }
 }
 
 TEST_F(Compile, TriangleSlotAndAttributes) {
