@@ -40,6 +40,8 @@ rtl/traverse/brute_walk.sv
 rtl/traverse/contexts.sv
 rtl/traverse/frame_stack.sv
 rtl/traverse/lane.sv
+rtl/traverse/leaf_tests.sv
+rtl/traverse/line_fetch.sv
 rtl/traverse/nearest.sv
 rtl/traverse/prim_tests.sv
 rtl/traverse/ray_dispatch.sv

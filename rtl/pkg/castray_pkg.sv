@@ -156,6 +156,10 @@ package castray_pkg;
   // What was done for a ray: the nodes it visited, and its tests, at most eight for each node.
   typedef logic [23:0] steps_t;
   typedef logic [26:0] tests_t;
+  typedef struct packed {
+    tests_t tests;
+    steps_t nodes;
+  } work_t;
 
   // What the primitive pipe needs of a ray.
   typedef struct packed {

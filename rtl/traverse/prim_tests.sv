@@ -8,7 +8,7 @@
 //
 // One test a cycle; an accepted one takes the divider two. over_o: a test of over_ctx_o is over, and
 // so is its result from the next cycle on.
-// Model: cpp_model/traverse/lane.hpp, equal bit for bit.
+// Model: cpp_model/traverse/prim_tests.hpp, equal bit for bit.
 module prim_tests
   import castray_cfg_pkg::*, castray_pkg::*;
 #(

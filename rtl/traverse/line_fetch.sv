@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contexts go to lines of one section of the image, nodes or leaves, and get them from a cache, in any
+// order. They wait in a queue, so that whoever is sent here is taken. An index behind the section
+// raises fault_o, and its context gets nothing.
+// From visit_valid_i to out_valid_o: 4 cycles for a line that the cache holds.
+module line_fetch
+  import castray_cfg_pkg::*, castray_pkg::*;
+#(
+  parameter int unsigned Contexts = DefaultContexts,
+  parameter int unsigned Lines    = 512,      // of the cache
+  parameter error_t      Fault    = ErrNode
+) (
+  input  logic        clk_i,
+  input  logic        rst_ni,
+
+  input  line_no_t    base_i,          // the section's first line
+  input  logic [31:0] count_i,         // how many it has
+
+  input  logic        visit_valid_i,   // at most one of a context under way
+  input  ctx_t        visit_ctx_i,
+  input  line_t       visit_index_i,
+
+  output logic        out_valid_o,
+  input  logic        out_ready_i,
+  output ctx_t        out_ctx_o,
+  output line_data_t  out_data_o,
+  output error_t      fault_o,
+
+  output logic        req_valid_o,     // to memory
+  input  logic        req_ready_i,
+  output line_req_t   req_o,
+  input  logic        fill_valid_i,
+  output logic        fill_ready_o,
+  input  line_fill_t  fill_i,
+
+  output logic        hit_o,           // counter events
+  output logic        miss_o,
+  output logic        wait_o           // a context waits for the cache
+);
+  localparam int unsigned QueueDepth = (Contexts > 1) ? Contexts : 2;
+  typedef struct packed {
+    ctx_t  ctx;
+    line_t index;
+  } visit_t;
+
+  visit_t head;
+  logic   head_valid, in_range, cache_ready;
+
+  stream_fifo #(.data_t(visit_t), .Depth(QueueDepth)) u_queue (
+    .clk_i, .rst_ni, .used_o(),
+    .valid_i(visit_valid_i), .ready_o(), .data_i('{ctx: visit_ctx_i, index: visit_index_i}),
+    .valid_o(head_valid), .ready_i(cache_ready || !in_range), .data_o(head)
+  );
+  assign in_range = 32'(head.index) < count_i;
+  assign fault_o  = (head_valid && !in_range) ? Fault : ErrNone;
+  assign wait_o   = head_valid && in_range && !cache_ready;
+
+  line_cache #(.id_t(ctx_t), .Lines(Lines)) u_cache (
+    .clk_i, .rst_ni, .hit_o, .miss_o,
+    .in_valid_i(head_valid && in_range), .in_ready_o(cache_ready),
+    .in_id_i(head.ctx), .in_line_i(base_i + line_no_t'(head.index)),
+    .out_valid_o, .out_ready_i, .out_id_o(out_ctx_o), .out_data_o,
+    .req_valid_o, .req_ready_i, .req_o, .fill_valid_i, .fill_ready_o, .fill_i
+  );
+endmodule
