@@ -65,10 +65,11 @@ module line_cache
   // ---- Look ----
   logic             emptied, room, open, look, looked, leaves, found, is_new;
   logic             filled, fill, fill_load;
-  logic [WayW-1:0]  found_way;
+  logic [WayW-1:0]  found_way, fill_way;
   miss_t            new_miss;
   id_t              id_q;
   line_no_t         line_q, fill_line_q;
+  line_fill_t       fill_q;
 
   assign open       = emptied && room && !(filled && set_of(in_line_i) == set_of(fill_line_q));
   assign in_ready_o = open && (!looked || leaves);
@@ -115,10 +116,8 @@ module line_cache
   );
 
   // ---- Fill ----
-  logic            wake_room, wake_busy, fill_free;
-  logic [WayW-1:0] fill_way;
-  place_t          fill_place;
-  line_fill_t      fill_q;
+  logic   wake_room, wake_busy, fill_free;
+  place_t fill_place;
   assign fill_free  = wake_room && !wake_busy && !(looked && set_of(line_q) == set_of(fill_line_q));
   assign fill       = filled && fill_free;
   assign fill_place = {set_of(fill_line_q), fill_way};
