@@ -73,7 +73,7 @@ template <class Record> using packed_t = std::array<std::uint32_t, words_of<Reco
 // The bits of a record in the order of its SystemVerilog struct.
 template <class Record> packed_t<Record> pack(const Record& record) {
   packed_t<Record> words{};
-  record.each_field([&](std::string_view, const auto& value, int at, int bits, bool) {
+  record.each_field([&](const auto&, const auto& value, int at, int bits, bool) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_integral_v<Value> || std::is_enum_v<Value>) {
       set_bits(words.data(), at, bits, static_cast<std::uint64_t>(value));
@@ -87,7 +87,7 @@ template <class Record> packed_t<Record> pack(const Record& record) {
 
 template <class Record> Record unpack(const std::uint32_t* words) {
   Record record;
-  record.each_field([&](std::string_view, auto& value, int at, int bits, bool is_signed) {
+  record.each_field([&](const auto&, auto& value, int at, int bits, bool is_signed) {
     using Value = std::decay_t<decltype(value)>;
     if constexpr (std::is_integral_v<Value> || std::is_enum_v<Value>) {
       const std::uint64_t raw = get_bits(words, at, bits);
