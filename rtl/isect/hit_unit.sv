@@ -24,7 +24,8 @@ module hit_unit
 
   output logic     out_valid_o,
   output result_t  out_o,
-  output logic     retire_o
+  output logic     retire_o,
+  output logic     idle_o        // no candidate inside
 );
   localparam int unsigned DivBitsPerStage = 2;
   // Candidates between issue and result: one every two cycles, through the divider (QFrac + 2 bits,
@@ -144,5 +145,9 @@ module hit_unit
     .put_ray_i(job_ray_q),
     .q_valid_i(q_valid), .q_last_i(q_last), .q_i(q),
     .done_o(retire_o), .out_valid_o, .out_o
+  );
+
+  credit #(.Limit(2 + Places)) u_inside (   // one in the front, one being issued
+    .clk_i, .rst_ni, .take_i(take), .give_i(retire_o), .available_o(), .idle_o
   );
 endmodule

@@ -22,7 +22,9 @@ module hit_writer
 
   output logic        out_valid_o,
   input  logic        out_ready_i,
-  output write_req_t  out_o
+  output write_req_t  out_o,
+
+  output logic        idle_o     // no record inside
 );
   localparam int unsigned Stages = 3;
   typedef logic [24:0] index_t;    // up to 4095 x 4096 + 4095
@@ -60,6 +62,11 @@ module hit_writer
     .clk_i, .rst_ni,
     .valid_i(in_valid_i), .ready_o(in_ready_o),
     .valid_o(out_valid_o), .ready_i(out_ready_i), .load_o(load)
+  );
+
+  credit #(.Limit(Stages)) u_inside (
+    .clk_i, .rst_ni,
+    .take_i(in_valid_i && in_ready_o), .give_i(out_valid_o && out_ready_i), .available_o(), .idle_o
   );
 
   index_t row_q, index_q;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts items under way in units that cannot refuse their results: an item may enter while fewer
-// than Limit are inside. take_i must not be raised while available_o is low.
+// Counts items under way: what cannot refuse its results takes one only while available_o, fewer
+// than Limit, says so; what bounds its items itself gives that bound as Limit and asks for idle_o.
 module credit #(
   parameter int unsigned Limit = 16,
   parameter int unsigned Gives = 1    // how many ways there are to leave
@@ -28,4 +28,12 @@ module credit #(
     if (!rst_ni) used_q <= '0;
     else used_q <= used_d;
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) begin
+      assert (used_q <= CntW'(Limit)) else $error("credit: more than %0d items inside, or fewer than none", Limit);
+    end
+  end
+`endif
 endmodule

@@ -70,20 +70,14 @@ module shading
   );
 
   // ---- The hit buffer: without one every record is dropped here ----
-  logic writer_ready, writer_take, records_idle;
+  logic writer_ready, records_idle;
   assign written_ready = !job_i.want_hits || writer_ready;
-  assign writer_take   = written_valid && job_i.want_hits && writer_ready;
 
   hit_writer u_hit_writer (
     .clk_i, .rst_ni, .base_i(job_i.hits), .width_i(job_i.width),
     .in_valid_i(written_valid && job_i.want_hits), .in_ready_o(writer_ready), .in_i(hit),
-    .out_valid_o(record_valid_o), .out_ready_i(record_ready_i), .out_o(record_o)
-  );
-
-  credit #(.Limit(15)) u_in_records (
-    .clk_i, .rst_ni,
-    .take_i(writer_take), .give_i(record_valid_o && record_ready_i),
-    .available_o(), .idle_o(records_idle)
+    .out_valid_o(record_valid_o), .out_ready_i(record_ready_i), .out_o(record_o),
+    .idle_o(records_idle)
   );
 
   // ---- Colours ----
@@ -136,7 +130,7 @@ module shading
     .idle_o(gather_idle)
   );
 
-  credit #(.Limit(1023)) u_uncoloured (
+  credit #(.Limit(Slots << (2 * TileLog2))) u_uncoloured (   // the pixels of all tiles in flight
     .clk_i, .rst_ni,
     .take_i(in_valid_i && in_ready_o), .give_i(shaded_valid && shaded_ready),
     .available_o(), .idle_o(coloured_o)

@@ -86,13 +86,10 @@ module prim_tests
   hit_unit u_hit_unit (
     .clk_i, .rst_ni,
     .in_valid_i(queue_valid), .in_ready_o(queue_take), .in_i(queue_head), .in_ray_i(hit_ray_i),
-    .out_valid_o(result_valid), .out_o(result), .retire_o(hit_over)
+    .out_valid_o(result_valid), .out_o(result), .retire_o(hit_over),
+    .idle_o(hits_idle)
   );
 
-  credit #(.Limit(255)) u_hits (
-    .clk_i, .rst_ni,
-    .take_i(queue_pop), .give_i(hit_over), .available_o(), .idle_o(hits_idle)
-  );
   assign idle_o     = tests_idle && hits_idle;
   assign over_o     = {hit_over, miss};
   assign over_ctx_o = '{cand.ctx, result.ctx};

@@ -41,6 +41,10 @@ inline Outcome run(const std::vector<HitCase>& cases, Stalls stalls = {}, unsign
       set_port(dut->in_ray_i, cases[next].ray);
     }
     dut.settle();
+    if (static_cast<bool>(dut->idle_o) != pending.empty()) {
+      ADD_FAILURE() << "idle_o with " << pending.size() << " candidates inside";
+      break;
+    }
     if (offering && dut->in_ready_o) {
       pending.push_back(&cases[next++]);
       offering = false;

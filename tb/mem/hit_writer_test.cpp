@@ -101,5 +101,23 @@ TEST_F(HitWriter, TakesOneACycleAndFillsItsStages) {
   EXPECT_EQ(taken, 3);
 }
 
+TEST_F(HitWriter, IsIdleWhenEveryRecordHasLeft) {
+  dut_->in_valid_i = dut_->out_ready_i = 0;
+  dut_.settle();
+  EXPECT_TRUE(dut_->idle_o);
+  dut_->in_valid_i = 1;
+  for (int i = 0; i < 2; ++i) dut_.tick();
+  dut_->in_valid_i = 0;
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_FALSE(dut_->idle_o);
+    dut_.tick();
+  }
+  dut_->out_ready_i = 1;
+  dut_.tick();
+  EXPECT_FALSE(dut_->idle_o) << "one record is still inside";
+  dut_.tick();
+  EXPECT_TRUE(dut_->idle_o);
+}
+
 }  // namespace
 }  // namespace castray::tb

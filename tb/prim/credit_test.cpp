@@ -40,4 +40,19 @@ TEST(Credit, CountsTakesAndBothGivesOfOneCycle) {
   }
 }
 
+void play(int takes, int gives) {
+  Dut<Vcredit> dut;
+  dut->give_i = 0;
+  dut->take_i = 1;
+  for (int i = 0; i < takes; ++i) dut.tick();
+  dut->take_i = 0;
+  dut->give_i = 1;
+  for (int i = 0; i < gives; ++i) dut.tick();
+  dut->give_i = 0;
+  dut.tick();
+}
+TEST(Credit, AllowsLimitInside) { play(6, 6); }
+TEST(CreditDeathTest, CatchesOneMoreThanLimit) { EXPECT_DEATH(play(7, 0), ""); }
+TEST(CreditDeathTest, CatchesOneGivenThatWasNotTaken) { EXPECT_DEATH(play(1, 2), ""); }
+
 }  // namespace castray::tb
