@@ -30,6 +30,9 @@ constexpr std::int64_t wrap_signed(std::int64_t x, int bits) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(x) << (64 - bits)) >> (64 - bits);
 }
 
+// The lowest `bits` bits of x, fewer than 64, as an unsigned number.
+constexpr std::uint64_t low_bits(std::uint64_t x, std::int64_t bits) { return x & ((std::uint64_t{1} << bits) - 1); }
+
 // x / 2^bits to the nearest integer, halves towards plus infinity: add half, floor.
 constexpr std::int64_t round_shift(std::int64_t x, int bits) {
   return bits == 0 ? x : (x + (std::int64_t{1} << (bits - 1))) >> bits;

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <limits>
 
+#include "mem/hit_writer.hpp"
+
 namespace castray::sim {
 namespace {
 
@@ -105,7 +107,7 @@ void write_aov(const fs::path& file, const Rendering& rendering, const SceneImag
   for (int y = 0; y < rendering.height; ++y) {
     for (int x = 0; x < rendering.width; ++x) {
       const hit_record_t hit = rendering.hit(rendering.index(x, y));
-      const bool found = hit.prim != 0xffffffff;
+      const bool found = is_hit(hit);
       AovPixel pixel;
       pixel.t = found ? static_cast<float>(scene_distance(image, x, y, hit.t)) : std::numeric_limits<float>::infinity();
       pixel.u = static_cast<float>(hit.u) / (1 << BaryFrac);

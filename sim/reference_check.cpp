@@ -7,6 +7,7 @@
 #include "camera/frame_setup.hpp"
 #include "camera/ray_gen.hpp"
 #include "camera/ray_setup.hpp"
+#include "mem/hit_writer.hpp"
 #include "mem/image.hpp"
 #include "shade/shade.hpp"
 
@@ -75,7 +76,7 @@ ReferenceCheck check_reference(const Scene& scene, const SceneImage& image, cons
       const std::size_t i = rendering.index(x, y);
       const hit_record_t record = rendering.hit(i);
       const ReferencePixel& expected = reference.at(x, y);
-      const bool found = record.prim != 0xffffffff;
+      const bool found = is_hit(record);
       check.hits += found;
       if (found != (expected.prim >= 0) || (found && record.prim != static_cast<std::uint64_t>(expected.prim))) {
         ++check.other_primitive;

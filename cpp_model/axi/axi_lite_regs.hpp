@@ -13,8 +13,9 @@ template <class Read> job_t job_of_registers(Read&& read) {
   const std::uint64_t options = word(RegOptions), size = word(RegFrameSize);
   const std::uint64_t min = word(RegWindowMin), max = word(RegWindowMax);
   const auto pointer = [&](std::int64_t offset) { return word(offset) | (word(offset + 4) << 32); };
-  const auto low = [](std::uint64_t pair) { return pair & 0x1fff; };
-  const auto high = [](std::uint64_t pair) { return (pair >> 16) & 0x1fff; };
+  const std::uint64_t extent = (std::uint64_t{1} << extent_t_bits) - 1;
+  const auto low = [&](std::uint64_t pair) { return pair & extent; };
+  const auto high = [&](std::uint64_t pair) { return (pair >> 16) & extent; };
   const std::uint64_t address = (std::uint64_t{1} << AddrW) - 1;
 
   job_t job;
@@ -34,7 +35,7 @@ template <class Read> job_t job_of_registers(Read&& read) {
   job.z_order = (options >> OptionZOrder) & 1;
 
   const std::uint64_t known = (std::uint64_t{1} << OptionHits) | (std::uint64_t{1} << OptionZOrder);
-  job.illegal = ((size | min | max) & 0xe000e000) != 0 || (options & ~known) != 0 || pointer(RegImage) > address ||
+  job.illegal = ((size | min | max) & ~(extent | extent << 16)) != 0 || (options & ~known) != 0 || pointer(RegImage) > address ||
                 pointer(RegFrame) > address || (job.want_hits && pointer(RegHits) > address);
   return job;
 }

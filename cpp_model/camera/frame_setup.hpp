@@ -5,13 +5,10 @@
 
 namespace castray {
 
-inline constexpr int ScaleFrac = 44;  // pitch and focal: Q0.44
-inline constexpr int RotFrac = 30;    // the matrix: Q2.30
-
 // One step vector: the product has 74 fraction bits and is rounded to DirFrac; then its sign.
 constexpr std::int64_t scale_step(std::uint64_t scale, std::int64_t element, bool negate) {
-  const int128 product = static_cast<int128>(scale & ((std::uint64_t{1} << ScaleFrac) - 1)) * element;
-  const auto step = static_cast<std::int64_t>(round_shift(product, ScaleFrac + RotFrac - static_cast<int>(DirFrac)));
+  const int128 product = static_cast<int128>(low_bits(scale, ScaleFrac)) * element;
+  const auto step = static_cast<std::int64_t>(round_shift(product, static_cast<int>(ScaleFrac + RotFrac - DirFrac)));
   return negate ? -step : step;
 }
 
@@ -31,8 +28,8 @@ inline camera_t frame_setup(const frame_record_t& record) {
   camera.right = vector(record.pitch, record.right_x, record.right_y, record.right_z, false);
   camera.up = vector(record.pitch, record.up_x, record.up_y, record.up_z, false);
   camera.ahead = vector(record.focal, record.back_x, record.back_y, record.back_z, true);
-  camera.width = record.width & 0x1fff;
-  camera.height = record.height & 0x1fff;
+  camera.width = low_bits(record.width, extent_t_bits);
+  camera.height = low_bits(record.height, extent_t_bits);
   return camera;
 }
 

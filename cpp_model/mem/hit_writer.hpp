@@ -10,10 +10,12 @@ inline hit_record_t hit_record(const hit_t& hit) {
   record.t = hit.found ? hit.t : TMax;
   record.u = hit.found ? hit.u : 0;
   record.v = hit.found ? hit.v : 0;
-  record.prim = hit.found ? hit.number : 0xffffffff;
-  record.instance_id = hit.found ? 0 : 0xffffffff;
+  record.prim = hit.found ? hit.number : NoHit;
+  record.instance_id = hit.found ? 0 : NoHit;
   return record;
 }
+
+inline bool is_hit(const hit_record_t& record) { return record.prim != NoHit; }
 
 // Byte offset of a pixel's record in the hit buffer.
 inline std::uint64_t hit_offset(const pixel_tag_t& tag, std::uint64_t width) {

@@ -50,7 +50,7 @@ inline error_t check_job(const job_t& job) {
     return base % align == 0 && base + bytes <= space;
   };
   const auto range_ok = [](std::uint64_t first, std::uint64_t end, std::uint64_t size) {
-    return size >= 1 && size <= 4096 && first < end && end <= size;
+    return size >= 1 && size <= MaxFrameSize && first < end && end <= size;
   };
   const bool ok = !job.illegal && range_ok(job.x0, job.x1, job.width) && range_ok(job.y0, job.y1, job.height) &&
                   window_ok(job.image, job.image_bytes, ImageAlign) && job.image_bytes >= HeaderBytes + FrameBytes &&
@@ -79,8 +79,8 @@ inline error_t check_records(const image_header_t& header, const frame_record_t&
   const std::uint64_t row = job.width * PixelBytes;
   if (frame.width != job.width || frame.height != job.height || frame.stride % BufferAlign != 0 || frame.stride < row ||
       frame.pixel_format > static_cast<std::uint64_t>(PixelBgra8) || (frame.eye_x >> CoordW) != 0 ||
-      (frame.eye_y >> CoordW) != 0 || (frame.eye_z >> CoordW) != 0 || (frame.pitch >> 44) != 0 ||
-      (frame.focal >> 44) != 0 || (frame.checker_scale >> 18) != 0)
+      (frame.eye_y >> CoordW) != 0 || (frame.eye_z >> CoordW) != 0 || (frame.pitch >> ScaleFrac) != 0 ||
+      (frame.focal >> ScaleFrac) != 0 || (frame.checker_scale >> checker_t_bits) != 0)
     return ErrFrameRecord;
   if (frame.stride * job.height > job.frame_bytes) return ErrFrameWindow;
   if (job.want_hits && job.width * job.height * HitBytes > job.hits_bytes) return ErrHitWindow;

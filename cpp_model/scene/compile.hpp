@@ -22,7 +22,7 @@ struct SceneImage {
 };
 
 // The finest grid on which scene and camera fit, the primitives, attributes and frame record.
-// Throws SceneError when a number is out of range, or the frame's size is not 1 to 4096.
+// Throws SceneError when a number is out of range, or the frame's size is not 1 to MaxFrameSize.
 SceneImage compile(const Scene& scene, int width, int height);
 
 // Writes the frame record anew: camera, paint, pixel format and size of `scene`, nothing else of it.

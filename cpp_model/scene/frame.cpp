@@ -9,10 +9,6 @@
 namespace castray {
 namespace {
 
-constexpr int kMaxSize = 4096;
-constexpr int kFocalFrac = 44;
-constexpr int kMatrixFrac = 30;
-
 std::uint64_t word(const Rgb& rgb) { return rgb[0] | std::uint64_t{rgb[1]} << 8 | std::uint64_t{rgb[2]} << 16 | 0xff000000u; }
 
 void set_lens(frame_record_t& frame, const Scene& scene, int width, int height) {
@@ -21,9 +17,9 @@ void set_lens(frame_record_t& frame, const Scene& scene, int width, int height) 
   // Focal in units of the pitch, which is a power of two: only focal is rounded.
   const long double focal = height / std::tan(static_cast<long double>(fov) * std::numbers::pi_v<long double> / 360);
   const long double largest = std::max(focal, static_cast<long double>(std::max(width, height)));
-  const int scale = kFocalFrac - 1 - std::ilogb(largest);
+  const int scale = ScaleFrac - 1 - std::ilogb(largest);
   frame.pitch = std::uint64_t{1} << scale;
-  frame.focal = std::min(static_cast<std::uint64_t>(std::llround(std::ldexp(focal, scale))), (std::uint64_t{1} << kFocalFrac) - 1);
+  frame.focal = std::min(static_cast<std::uint64_t>(std::llround(std::ldexp(focal, scale))), (std::uint64_t{1} << ScaleFrac) - 1);
 }
 
 void set_matrix(frame_record_t& frame, const Scene& scene) {
@@ -39,14 +35,14 @@ void set_matrix(frame_record_t& frame, const Scene& scene) {
   if (std::ldexp(largest, -shift) > 1 + 0x1p-32) ++shift;  // to the next power of two, but for its last bits
   rot_t* const fields[] = {&frame.right_x, &frame.right_y, &frame.right_z, &frame.up_x, &frame.up_y,
                            &frame.up_z,    &frame.back_x,  &frame.back_y,  &frame.back_z};
-  for (int i = 0; i < 9; ++i) *fields[i] = std::llround(std::ldexp(columns[i / 3][i % 3], kMatrixFrac - shift));
+  for (int i = 0; i < 9; ++i) *fields[i] = std::llround(std::ldexp(columns[i / 3][i % 3], RotFrac - shift));
 }
 
 }  // namespace
 
 frame_record_t frame_record(const Scene& scene, const Grid& grid, int width, int height) {
-  if (width < 1 || width > kMaxSize || height < 1 || height > kMaxSize)
-    throw SceneError(scene.file, "size", std::to_string(width) + " x " + std::to_string(height) + " is not between 1 x 1 and 4096 x 4096");
+  if (width < 1 || width > MaxFrameSize || height < 1 || height > MaxFrameSize)
+    throw SceneError(scene.file, "size", std::to_string(width) + " x " + std::to_string(height) + " is not between 1 x 1 and " + std::to_string(MaxFrameSize) + " x " + std::to_string(MaxFrameSize));
   frame_record_t frame;
   set_lens(frame, scene, width, height);
   set_matrix(frame, scene);
@@ -63,8 +59,8 @@ frame_record_t frame_record(const Scene& scene, const Grid& grid, int width, int
   frame.background = word(scene.paint.background);
   frame.colour_a = word(scene.paint.colour_a);
   frame.colour_b = word(scene.paint.colour_b);
-  const double cells = std::round(std::ldexp(scene.paint.checker_scale, 8));
-  if (!(cells >= 0 && cells < 0x1p18)) throw SceneError(scene.file, "checker", "scale " + text_of(scene.paint.checker_scale) + " is not between 0 and 1023");
+  const double cells = std::round(std::ldexp(scene.paint.checker_scale, CheckerFrac));
+  if (!(cells >= 0 && cells < std::ldexp(1, checker_t_bits))) throw SceneError(scene.file, "checker", "scale " + text_of(scene.paint.checker_scale) + " is not between 0 and " + std::to_string(kMaxCheckerScale));
   frame.checker_scale = static_cast<std::uint64_t>(cells);
   frame.width = static_cast<std::uint64_t>(width);
   frame.height = static_cast<std::uint64_t>(height);

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "castray_records.hpp"
+
 namespace castray {
 
 using Vec2 = Imath::V2d;
@@ -23,8 +25,7 @@ struct SceneError : std::runtime_error {
       : std::runtime_error(file + ": " + place + ": " + cause) {}
 };
 
-// Values are those of castray_image_pkg's Material constants.
-enum class Material : std::uint8_t { Checker = 0, ColourA = 1, ColourB = 2 };
+enum class Material : std::uint8_t { Checker = MaterialChecker, ColourA = MaterialA, ColourB = MaterialB };
 
 struct Triangle {
   std::array<Vec3, 3> corner = {Vec3(0), Vec3(0), Vec3(0)};
@@ -53,7 +54,9 @@ struct Camera {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-enum class PixelFormat : std::uint8_t { Rgba8 = 0, Bgra8 = 1 };
+enum class PixelFormat : std::uint8_t { Rgba8 = PixelRgba8, Bgra8 = PixelBgra8 };
+
+inline constexpr int kMaxCheckerScale = (1 << CheckerInt) - 1;
 
 struct Paint {
   Rgb background = {24, 28, 38};

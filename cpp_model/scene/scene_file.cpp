@@ -121,8 +121,8 @@ void read_checker(const JsonValue& value, Scene& scene) {
     note_default(scene, "checker colours", hex(scene.paint.colour_a) + " and " + hex(scene.paint.colour_b));
   }
   if (value.has("scale")) {
-    const double scale = value["scale"].number(0, 1023);
-    scene.paint.checker_scale = std::round(scale * 256) / 256;
+    const double scale = value["scale"].number(0, kMaxCheckerScale);
+    scene.paint.checker_scale = std::round(scale * (1 << CheckerFrac)) / (1 << CheckerFrac);
     if (scene.paint.checker_scale != scale)
       scene.warnings.push_back(scene.file + ": checker.scale: " + text_of(scale) + " rounded to " + text_of(scene.paint.checker_scale));
   } else {
@@ -170,8 +170,8 @@ Scene read_scene(const nlohmann::json& json, const std::string& file, const std:
   if (root.has("size")) {
     const auto size = root["size"].elements();
     if (size.size() != 2) root["size"].fail("must be width and height");
-    scene.width = size[0].whole(1, 4096);
-    scene.height = size[1].whole(1, 4096);
+    scene.width = size[0].whole(1, MaxFrameSize);
+    scene.height = size[1].whole(1, MaxFrameSize);
   } else {
     note_default(scene, "size", std::to_string(scene.width) + " x " + std::to_string(scene.height));
   }

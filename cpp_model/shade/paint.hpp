@@ -21,7 +21,7 @@ inline paint_t frame_paint(const frame_record_t& record) {
   paint.background = rgb_of(record.background);
   paint.colour_a = rgb_of(record.colour_a);
   paint.colour_b = rgb_of(record.colour_b);
-  paint.checker_scale = record.checker_scale & 0x3ffff;
+  paint.checker_scale = low_bits(record.checker_scale, checker_t_bits);
   paint.swap_rb = record.pixel_format == static_cast<std::uint64_t>(PixelBgra8);
   return paint;
 }
@@ -39,7 +39,7 @@ inline std::int64_t sphere_tex(std::int64_t n) { return (n + kUnitOne) >> 1; }
 
 // Does the coordinate lie in an odd column of the checker?
 inline bool odd_column(std::int64_t s, std::uint64_t scale) {
-  return (s * static_cast<std::int64_t>(scale)) >> (UnitFrac + 8) & 1;
+  return (s * static_cast<std::int64_t>(scale)) >> (UnitFrac + CheckerFrac) & 1;
 }
 
 inline bool is_colour_b(const paint_req_t& req, const paint_t& paint) {

@@ -131,6 +131,14 @@ module axi_lite_regs
     end
   end
 
+  // The two numbers of a word.
+  function automatic extent_t low_of(logic [31:0] pair);
+    return pair[$bits(extent_t)-1:0];
+  endfunction
+  function automatic extent_t high_of(logic [31:0] pair);
+    return pair[16 +: $bits(extent_t)];
+  endfunction
+
   function automatic job_t job_of(args_t args);
     logic [31:0] pairs, known, window_max;
     window_max = (args.window_max == '0) ? args.frame_size : args.window_max;
@@ -143,15 +151,15 @@ module axi_lite_regs
       image_bytes: args.image_bytes,
       frame_bytes: args.frame_bytes,
       hits_bytes:  args.hits_bytes,
-      width:       args.frame_size[12:0],
-      height:      args.frame_size[28:16],
-      x0:          args.window_min[12:0],
-      y0:          args.window_min[28:16],
-      x1:          window_max[12:0],
-      y1:          window_max[28:16],
+      width:       low_of(args.frame_size),
+      height:      high_of(args.frame_size),
+      x0:          low_of(args.window_min),
+      y0:          high_of(args.window_min),
+      x1:          low_of(window_max),
+      y1:          high_of(window_max),
       want_hits:   args.options[OptionHits],
       z_order:     args.options[OptionZOrder],
-      illegal:     (pairs & 32'he000_e000) != '0 || (args.options & ~known) != '0 ||
+      illegal:     (pairs[15:0] >> $bits(extent_t)) != '0 || (pairs[31:16] >> $bits(extent_t)) != '0 || (args.options & ~known) != '0 ||
                    args.image[63:AddrW] != '0 || args.frame[63:AddrW] != '0 ||
                    (args.options[OptionHits] && args.hits[63:AddrW] != '0)
     };

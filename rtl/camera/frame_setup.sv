@@ -21,13 +21,12 @@ module frame_setup
   output logic          done_o,
   output camera_t       camera_o
 );
-  localparam int unsigned ScaleW = 44;                   // bits of pitch and focal
   localparam int unsigned ElemW  = $bits(rot_t);
   localparam int unsigned AccW   = ElemW;
   localparam int unsigned StepW  = $bits(dir_step_t);
-  localparam int unsigned Drop   = ScaleW + 30 - DirFrac; // fraction bits rounded away
-  localparam int unsigned LowW   = ScaleW - Drop + 1;    // what is kept below the accumulator
-  localparam int unsigned CntW   = $clog2(ScaleW);
+  localparam int unsigned Drop   = ScaleFrac + RotFrac - DirFrac; // fraction bits rounded away
+  localparam int unsigned LowW   = ScaleFrac - Drop + 1;    // what is kept below the accumulator
+  localparam int unsigned CntW   = $clog2(ScaleFrac);
   if (AccW + LowW != StepW + 1) begin : g_check
     $error("frame_setup: DirFrac must be 42");
   end
@@ -36,7 +35,7 @@ module frame_setup
   logic [1:0]        vector_q;
   logic [CntW-1:0]   count_q;
   logic              store_q, done_q;
-  logic [ScaleW-1:0] scale_q;
+  logic [ScaleFrac-1:0] scale_q;
   logic signed [ElemW-1:0] elem_q [3];
   logic signed [AccW-1:0]  acc_q [3];   // the product above the bits already shifted out
   logic [LowW-1:0]         low_q [3];
@@ -77,7 +76,7 @@ module frame_setup
       done_q   <= 1'b0;
     end else if (vector_q != 2'd0) begin
       count_q <= count_q + 1'b1;
-      store_q <= count_q == CntW'(ScaleW - 1);
+      store_q <= count_q == CntW'(ScaleFrac - 1);
       if (store_q) begin
         vector_q <= 2'd0;
         done_q   <= 1'b1;
@@ -90,7 +89,7 @@ module frame_setup
 
   always_ff @(posedge clk_i) begin
     if (load) begin
-      scale_q <= (next == 2'd3) ? record_i.focal[ScaleW-1:0] : record_i.pitch[ScaleW-1:0];
+      scale_q <= (next == 2'd3) ? record_i.focal[ScaleFrac-1:0] : record_i.pitch[ScaleFrac-1:0];
       unique case (next)
         2'd1:    elem_q <= '{record_i.right_x, record_i.right_y, record_i.right_z};
         2'd2:    elem_q <= '{record_i.up_x, record_i.up_y, record_i.up_z};
@@ -116,7 +115,7 @@ module frame_setup
     eye: '{x: coord_t'(record_i.eye_x[CoordW-1:0]), y: coord_t'(record_i.eye_y[CoordW-1:0]),
            z: coord_t'(record_i.eye_z[CoordW-1:0])},
     right: right_q, up: up_q, ahead: ahead_q,
-    width: record_i.width[12:0], height: record_i.height[12:0]
+    width: extent_t'(record_i.width), height: extent_t'(record_i.height)
   };
 
   logic unused_record;  // the paint is the shader's

@@ -10,8 +10,8 @@ module ray_component
   input  logic                clk_i,
   input  logic [2:0]          load_i,
 
-  input  logic signed [12:0]  a_i,
-  input  logic signed [12:0]  b_i,
+  input  offset_t   a_i,
+  input  offset_t   b_i,
   input  dir_step_t           ahead_i,
   input  dir_step_t           right_i,
   input  dir_step_t           up_i,
@@ -30,12 +30,12 @@ module ray_component
   typedef logic signed [LowW+14:0]      low_sum_t;
   typedef logic signed [StepW-LowW+13:0] high_sum_t;
 
-  function automatic low_t mul_low(logic signed [12:0] k, dir_step_t step);
+  function automatic low_t mul_low(offset_t k, dir_step_t step);
     logic signed [LowW:0] low;
     low = {1'b0, step[LowW-1:0]};
     return low_t'(k) * low_t'(low);
   endfunction
-  function automatic high_t mul_high(logic signed [12:0] k, dir_step_t step);
+  function automatic high_t mul_high(offset_t k, dir_step_t step);
     logic signed [HighW-1:0] high;
     high = step[StepW-1:LowW];
     return high_t'(k) * high_t'(high);

@@ -28,14 +28,14 @@ module ray_gen
     .load_o(load)
   );
 
-  // 2 i + 1 - n, odd for an even n; from -4095 to 4095.
-  function automatic logic signed [12:0] offset(pixel_t i, logic [12:0] n);
-    return 13'({1'b0, i, 1'b1} - {1'b0, n});
+  // 2 i + 1 - n, odd for an even n; its magnitude is below MaxFrameSize.
+  function automatic offset_t offset(pixel_t i, extent_t n);
+    return offset_t'({1'b0, i, 1'b1} - {1'b0, n});
   endfunction
 
-  logic signed [12:0] a_q, b_q;
-  pixel_tag_t         tag_q [4];
-  dir_comp_t          x, y, z;
+  offset_t    a_q, b_q;
+  pixel_tag_t tag_q [4];
+  dir_comp_t  x, y, z;
 
   always_ff @(posedge clk_i) begin
     if (load[0]) begin

@@ -40,23 +40,23 @@ module tile_walk
   end
 
   localparam int unsigned Size = 1 << TileLog2;
-  localparam int unsigned IdxW = $bits(pixel_t) - TileLog2;  // column or row of a tile
+  localparam int unsigned IdxW = PixelW - TileLog2;  // column or row of a tile
   typedef logic [IdxW-1:0]   idx_t;
   typedef logic [2*IdxW-1:0] code_t;
 
   // ---- The window in tiles ----
   idx_t first_col, first_row, last_col, last_row;   // last ones counted from the first
   logic empty;
-  assign first_col = job_i.x0[11:TileLog2];
-  assign first_row = job_i.y0[11:TileLog2];
+  assign first_col = job_i.x0[PixelW-1:TileLog2];
+  assign first_row = job_i.y0[PixelW-1:TileLog2];
   assign last_col  = last_index(job_i.x1) - first_col;
   assign last_row  = last_index(job_i.y1) - first_row;
   assign empty     = job_i.x0 >= job_i.x1 || job_i.y0 >= job_i.y1;
 
-  function automatic idx_t last_index(logic [12:0] limit);
-    logic [12:0] last;
+  function automatic idx_t last_index(extent_t limit);
+    extent_t last;
     last = limit - 1'b1;
-    return last[11:TileLog2];
+    return last[PixelW-1:TileLog2];
   endfunction
 
   // ---- The next place: at_q is {row, column} or the Z code ----
@@ -88,15 +88,15 @@ module tile_walk
   logic [7:0] slot_q;
   logic       granted;
 
-  function automatic pixel_t first_of(idx_t index, logic [12:0] low);
-    logic [12:0] start;
-    start = 13'({index, {TileLog2{1'b0}}});
+  function automatic pixel_t first_of(idx_t index, extent_t low);
+    extent_t start;
+    start = extent_t'({index, {TileLog2{1'b0}}});
     return pixel_t'((start > low) ? start : low);
   endfunction
-  function automatic logic [4:0] size_of(idx_t index, logic [12:0] low, logic [12:0] high);
-    logic [12:0] start, limit;
-    start = 13'({index, {TileLog2{1'b0}}});
-    limit = start + 13'(Size);
+  function automatic logic [4:0] size_of(idx_t index, extent_t low, extent_t high);
+    extent_t start, limit;
+    start = extent_t'({index, {TileLog2{1'b0}}});
+    limit = start + extent_t'(Size);
     return 5'(((limit < high) ? limit : high) - ((start > low) ? start : low));
   endfunction
   function automatic tile_t tile_at(idx_t tile_col, idx_t tile_row, job_t job, logic [7:0] slot);

@@ -12,12 +12,12 @@
 // until no burst is outstanding, for AbortCycles in a row; then done, with the code. Errors of one
 // cycle rank: read bus, write bus, loader, datapath.
 // An argument is illegal if a register held bits outside its field; a side of the frame is not 1
-// to 4096; the window is empty or leaves the frame; a buffer is not aligned or ends behind the
+// to MaxFrameSize; the window is empty or leaves the frame; a buffer is not aligned or ends behind the
 // address space; the image's window does not hold header and frame record. The hit buffer counts
 // only if hits are wanted.
 // Model: cpp_model/mem/image.hpp, check_job().
 module job_control
-  import castray_pkg::*, castray_image_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned AbortCycles = 4,
   parameter int unsigned DrainCycles = 4
@@ -60,8 +60,8 @@ module job_control
     return base % AddrW'(align) == '0 && finish <= {1'b1, addr_t'(0)};
   endfunction
 
-  function automatic logic range_ok(logic [12:0] first, logic [12:0] finish, logic [12:0] size);
-    return size >= 13'd1 && size <= 13'd4096 && first < finish && finish <= size;
+  function automatic logic range_ok(extent_t first, extent_t finish, extent_t size);
+    return size != '0 && size <= extent_t'(MaxFrameSize) && first < finish && finish <= size;
   endfunction
 
   function automatic logic legal(job_t job);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the record of each ray, hit or miss, to the hit buffer:
-//   32 bytes at base + 32 (y width + x);  a miss: t = TMax, u = v = 0, numbers all ones
+//   32 bytes at base + 32 (y width + x);  a miss: t = TMax, u = v = 0, numbers NoHit
 //   s0  row = y width        12x13, one DSP
 //   s1  index = row + x
 //   s2  address
 // One record a cycle, in order, latency 3. base_i (a multiple of 32) and width_i stand still.
 // Model: cpp_model/mem/hit_writer.hpp, equal bit for bit.
 module hit_writer
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 (
@@ -14,7 +15,7 @@ module hit_writer
   input  logic        rst_ni,
 
   input  addr_t       base_i,
-  input  logic [12:0] width_i,
+  input  extent_t     width_i,
 
   input  logic        in_valid_i,
   output logic        in_ready_o,
@@ -27,7 +28,7 @@ module hit_writer
   output logic        idle_o     // no record inside
 );
   localparam int unsigned Stages = 3;
-  typedef logic [24:0] index_t;    // up to 4095 x 4096 + 4095
+  typedef logic [2*PixelW-1:0] index_t;    // of a pixel of the largest frame
 
   // What a record holds of a hit.
   typedef struct packed {
@@ -38,7 +39,7 @@ module hit_writer
     bary_t v;
   } kept_t;
 
-  function automatic index_t row_start(pixel_t y, logic [12:0] width);
+  function automatic index_t row_start(pixel_t y, extent_t width);
     return index_t'(y) * index_t'(width);
   endfunction
   function automatic addr_t place(addr_t base, index_t index);
@@ -49,8 +50,8 @@ module hit_writer
     t = 32'(hit.t);
     return '{
       reserved:    '0,
-      instance_id: hit.found ? '0 : '1,
-      prim:        hit.found ? 32'(hit.number) : '1,
+      instance_id: hit.found ? '0 : NoHit,
+      prim:        hit.found ? 32'(hit.number) : NoHit,
       v:           hit.found ? 32'(hit.v) : '0,
       u:           hit.found ? 32'(hit.u) : '0,
       t:           hit.found ? t : 32'(TMax)

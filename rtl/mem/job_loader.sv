@@ -16,7 +16,7 @@
 // Latency: the memory's, and 17 cycles.
 // Model: cpp_model/mem/image.hpp, check_records().
 module job_loader
-  import castray_pkg::*, castray_image_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 (
   input  logic          clk_i,
   input  logic          rst_ni,
@@ -42,7 +42,7 @@ module job_loader
     $error("job_loader: header and frame record must be 128 bytes each, one burst together");
   end
 
-  localparam int unsigned HeightW  = 13;
+  localparam int unsigned HeightW  = $bits(extent_t);
   localparam logic [3:0]  StepRow  = 4'(HeightW);      // both products are complete
   localparam logic [3:0]  StepLast = 4'(HeightW + 1);
 
@@ -85,9 +85,9 @@ module job_loader
   end
 
   // ---- The checks ----
-  function automatic logic section_bad(section_t section);
+  function automatic logic section_bad(section_t section, int unsigned record_bytes);
     logic [38:0] finish;
-    finish = 39'(section.offset) + (39'(section.count) << $clog2(LineBytes));
+    finish = 39'(section.offset) + (39'(section.count) << $clog2(record_bytes));
     return section.count != '0 && (section.offset % ImageAlign != '0 || section.offset == '0 ||
                                    finish > 39'(header_q.image_bytes));
   endfunction
@@ -96,10 +96,11 @@ module job_loader
     return record_q.width != 16'(job_i.width) || record_q.height != 16'(job_i.height) ||
            record_q.stride % BufferAlign != '0 || record_q.stride < 32'(job_i.width) * PixelBytes ||
            record_q.pixel_format > PixelBgra8 ||
-           (record_q.eye_x >> castray_cfg_pkg::CoordW) != '0 ||
-           (record_q.eye_y >> castray_cfg_pkg::CoordW) != '0 ||
-           (record_q.eye_z >> castray_cfg_pkg::CoordW) != '0 ||
-           record_q.pitch[63:44] != '0 || record_q.focal[63:44] != '0 || record_q.checker_scale[31:18] != '0;
+           (record_q.eye_x >> CoordW) != '0 ||
+           (record_q.eye_y >> CoordW) != '0 ||
+           (record_q.eye_z >> CoordW) != '0 ||
+           (record_q.pitch >> ScaleFrac) != '0 || (record_q.focal >> ScaleFrac) != '0 ||
+           (record_q.checker_scale >> $bits(checker_t)) != '0;
   endfunction
 
   function automatic error_t check_step(logic [3:0] step);
@@ -107,9 +108,9 @@ module job_loader
       4'd0: return (header_q.magic != ImageMagic || header_q.version != ImageVersion) ? ErrImage : ErrNone;
       4'd1: return (header_q.parameters != ImageParameters) ? ErrParameters : ErrNone;
       4'd2: return (header_q.image_bytes > job_i.image_bytes) ? ErrSection : ErrNone;
-      4'd3: return section_bad(header_q.lines) ? ErrSection : ErrNone;
-      4'd4: return section_bad(header_q.attributes) ? ErrSection : ErrNone;
-      4'd5: return section_bad(header_q.nodes) ? ErrSection : ErrNone;
+      4'd3: return section_bad(header_q.lines, LineBytes) ? ErrSection : ErrNone;
+      4'd4: return section_bad(header_q.attributes, AttrBytes) ? ErrSection : ErrNone;
+      4'd5: return section_bad(header_q.nodes, NodeBytes) ? ErrSection : ErrNone;
       4'd6: return (header_q.primitives > header_q.attributes.count) ? ErrSection :
                    (header_q.primitives > 32'(NoPrim)) ? ErrPrimitive : ErrNone;
       4'd7: return record_bad() ? ErrFrameRecord : ErrNone;

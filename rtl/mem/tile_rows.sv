@@ -98,7 +98,7 @@ module tile_rows
     if (state_q == Multiply) product_q <= mul_row(tile_q.y, stride_i[31:StrideLog2]);
     if (state_q == Address) begin
       addr_q <= base_i + addr_t'({product_q, {StrideLog2{1'b0}}}) +
-                addr_t'({tile_q.x[11:TileLog2], {(TileLog2 + $clog2(PixelBytes)){1'b0}}});
+                addr_t'({tile_q.x[PixelW-1:TileLog2], {(TileLog2 + $clog2(PixelBytes)){1'b0}}});
       strb_q <= strobes(columns(tile_q.x, tile_q.width));
     end
     if (taken) begin

@@ -36,6 +36,16 @@ package castray_cfg_pkg;
   localparam int unsigned RootFrac = 5;
   // A vector before it is normalised: grid steps of any CoordW, or a mixed normal. Fixed.
   localparam int unsigned SpanW = 29;
+  // A column or row of a frame, and so the largest side of a frame. Fixed.
+  localparam int unsigned PixelW       = 12;
+  localparam int unsigned MaxFrameSize = 1 << PixelW;
+  // Fraction bits of a frame record's pitch and focal length, which are below one. Fixed.
+  localparam int unsigned ScaleFrac = 44;
+  // Fraction bits of an element of its matrix. Fixed.
+  localparam int unsigned RotFrac = 30;
+  // Integer and fraction bits of its checker's scale. Fixed.
+  localparam int unsigned CheckerInt  = 10;
+  localparam int unsigned CheckerFrac = 8;
   // A primitive's number; all ones stands for "none". Fixed: with it a slot of the image is full.
   localparam int unsigned PrimW = 21;
   // A reference's index of a node or a line: there are fewer than 2^22 of either. Fixed.

@@ -17,6 +17,7 @@ package castray_image_pkg;
   localparam int unsigned AttrBytes    = 64;
   localparam int unsigned HitBytes     = 32;
   localparam int unsigned PixelBytes   = 4;
+  localparam logic [31:0] NoHit        = 32'hffffffff;  // number and instance in the record of a miss
 
   // The widths an image was made for, compared whole: the layout is the same for all of them, what
   // a step means is not.
@@ -78,7 +79,7 @@ package castray_image_pkg;
     coord_t      x;
   } node_t;
 
-  typedef logic signed [31:0] rot_t;  // Q2.30, an element of the camera's matrix
+  typedef logic signed [RotFrac+1:0] rot_t;  // Q2.30, an element of the camera's matrix
 
   // The frame record: the camera and the paint of one picture.
   typedef struct packed {
@@ -139,8 +140,8 @@ package castray_image_pkg;
   // One record of the hit buffer.
   typedef struct packed {
     logic [95:0]        reserved;
-    logic [31:0]        instance_id;  // 0: no instances; all ones for a miss
-    logic [31:0]        prim;         // all ones for a miss
+    logic [31:0]        instance_id;  // 0: no instances; NoHit for a miss
+    logic [31:0]        prim;         // NoHit for a miss
     logic [31:0]        v;            // Q1.24
     logic [31:0]        u;            // Q1.24
     logic signed [31:0] t;            // Q27.4, TMax for a miss

@@ -24,7 +24,8 @@ package castray_pkg;
   typedef logic [CtxW-1:0]                 ctx_t;
   typedef logic [1:0]                      axis_t;     // 0 x, 1 y, 2 z
   typedef logic [DistW-1:0]                dist_t;     // t[CoordW+TFrac-1 -: DistW] of a t_t, zero for a negative one
-  typedef logic [11:0]                     pixel_t;    // column or row of a frame
+  typedef logic [PixelW-1:0]               pixel_t;    // column or row of a frame
+  typedef logic [PixelW:0]                 extent_t;   // a number of them, up to MaxFrameSize
 
   localparam prim_t  NoPrim = '1;
   localparam t_t     TMax   = t_t'((1 << (CoordW + TFrac)) - 1);
@@ -39,6 +40,8 @@ package castray_pkg;
   typedef struct packed { unit_t x, y, z; }     unit3_t;
 
   // ---- Camera ----
+  typedef logic signed [PixelW:0] offset_t;   // from a frame's centre, half pixels
+
   // One pixel of the walk. slot: the tile's place in the gather buffer.
   typedef struct packed {
     logic [7:0] slot;
@@ -61,8 +64,8 @@ package castray_pkg;
     dir_step3_t right;   // one column to the right, half a pixel's width: see ray_gen
     dir_step3_t up;
     dir_step3_t ahead;   // the camera's axis, focal length included
-    logic [12:0] width;
-    logic [12:0] height;
+    extent_t    width;
+    extent_t    height;
   } camera_t;
 
   typedef struct packed {
@@ -246,12 +249,14 @@ package castray_pkg;
     unit3_t     view;   // along the ray, either way
   } paint_req_t;
 
+  typedef logic [CheckerInt+CheckerFrac-1:0] checker_t;  // Q10.8 cells for each unit of texture coordinate
+
   // The materials' parameters of a frame, from the frame record.
   typedef struct packed {
     rgb_t        background;
     rgb_t        colour_a;
     rgb_t        colour_b;
-    logic [17:0] checker_scale;  // Q10.8 cells for each unit of texture coordinate
+    checker_t    checker_scale;
     logic        swap_rb;        // pixel format BGRA
   } paint_t;
 
@@ -322,12 +327,12 @@ package castray_pkg;
     logic [31:0] image_bytes;
     logic [31:0] frame_bytes;
     logic [31:0] hits_bytes;
-    logic [12:0] width;
-    logic [12:0] height;
-    logic [12:0] x0;            // the window that is rendered: x0 <= x < x1, y0 <= y < y1
-    logic [12:0] y0;
-    logic [12:0] x1;
-    logic [12:0] y1;
+    extent_t     width;
+    extent_t     height;
+    extent_t     x0;            // the window that is rendered: x0 <= x < x1, y0 <= y < y1
+    extent_t     y0;
+    extent_t     x1;
+    extent_t     y1;
     logic        want_hits;
     logic        z_order;       // tiles along a Z curve, else in rows
     logic        illegal;       // a register held bits outside its field

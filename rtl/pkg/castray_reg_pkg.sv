@@ -15,7 +15,7 @@ package castray_reg_pkg;
   localparam int unsigned RegImageBytes = 'h034;  // size of each of the three windows, bytes
   localparam int unsigned RegFrameBytes = 'h03c;
   localparam int unsigned RegHitsBytes  = 'h044;
-  localparam int unsigned RegFrameSize  = 'h04c;  // width | height << 16, 1 to 4096 each
+  localparam int unsigned RegFrameSize  = 'h04c;  // width | height << 16, 1 to MaxFrameSize each
   localparam int unsigned RegOptions    = 'h054;  // see the Option bits
   localparam int unsigned RegWindowMin  = 'h05c;  // x0 | y0 << 16: the first pixel rendered
   localparam int unsigned RegWindowMax  = 'h064;  // x1 | y1 << 16: one past the last; 0: the frame

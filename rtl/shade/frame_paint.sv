@@ -12,7 +12,7 @@ module frame_paint
     background:    rgb_t'(record_i.background[23:0]),
     colour_a:      rgb_t'(record_i.colour_a[23:0]),
     colour_b:      rgb_t'(record_i.colour_b[23:0]),
-    checker_scale: record_i.checker_scale[17:0],
+    checker_scale: checker_t'(record_i.checker_scale),
     swap_rb:       record_i.pixel_format == PixelBgra8
   };
 endmodule

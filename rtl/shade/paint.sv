@@ -34,8 +34,8 @@ module paint
   output shaded_t    out_o
 );
   localparam int unsigned Stages = 9;
-  localparam int unsigned ScaleW = $bits(paint_i.checker_scale);
-  localparam int unsigned CellAt = UnitFrac + 8;       // a product's bit of weight one
+  localparam int unsigned ScaleW = $bits(checker_t);
+  localparam int unsigned CellAt = UnitFrac + CheckerFrac;      // a product's bit of weight one
   localparam int unsigned UnitW  = $bits(unit_t);
 
   typedef logic signed [CellAt:0]         column_t;    // a coordinate, as far as it counts
@@ -60,7 +60,7 @@ module paint
   function automatic column_t mul_scale(column_t s, logic signed [ScaleW-1:0] scale);
     return s * column_t'(scale);
   endfunction
-  // The bit of weight one; a scale whose top bit is set was taken for scale - 2^18.
+  // The bit of weight one; a scale whose top bit is set was taken for scale - 2^ScaleW.
   function automatic logic odd(column_t product, logic [CellAt-ScaleW:0] s_low, logic top);
     logic [CellAt-ScaleW:0] high;
     high = product[CellAt:ScaleW] + (top ? s_low : '0);

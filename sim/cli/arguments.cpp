@@ -9,14 +9,14 @@
 namespace castray::cli {
 namespace {
 
-// "320x240", each 1 to 4096.
+// "320x240", each 1 to MaxFrameSize.
 void parse_size(const std::string& text, int& width, int& height) {
   int end = 0;
   const bool two = std::sscanf(text.c_str(), "%6dx%6d%n", &width, &height, &end) == 2;
   if (!two || static_cast<std::size_t>(end) != text.size())
     throw InputError("--size " + text + ": not of the form WIDTHxHEIGHT");
-  if (width < 1 || width > 4096 || height < 1 || height > 4096)
-    throw InputError("--size " + text + ": width and height must be 1 to 4096");
+  if (width < 1 || width > MaxFrameSize || height < 1 || height > MaxFrameSize)
+    throw InputError("--size " + text + ": width and height must be 1 to " + std::to_string(MaxFrameSize));
 }
 
 }  // namespace

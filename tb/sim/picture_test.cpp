@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "frame_run.hpp"
+#include "mem/hit_writer.hpp"
 #include "picture.hpp"
 #include "scene/load.hpp"
 
@@ -88,7 +89,7 @@ TEST_F(Pictures, ExrHoldsTheRecords) {
     EXPECT_EQ(v[i], record.v);
     EXPECT_EQ(prim[i], record.prim);
     EXPECT_EQ(instance[i], record.instance_id);
-    const bool found = record.prim != 0xffffffff;
+    const bool found = is_hit(record);
     (found ? hit_seen : miss_seen) = true;
     EXPECT_EQ(fprim[i], found ? static_cast<float>(record.prim) : -1.0f);
     EXPECT_EQ(fu[i], static_cast<float>(static_cast<double>(record.u) / (1 << 24)));
@@ -104,7 +105,7 @@ TEST_F(Pictures, DistancesAreThoseOfTheReference) {
   for (int y = 0; y < 12; ++y) {
     for (int x = 0; x < 16; ++x) {
       const hit_record_t record = frame_.hit(frame_.index(x, y));
-      if (record.prim == 0xffffffff) continue;
+      if (!is_hit(record)) continue;
       EXPECT_NEAR(scene_distance(image_, x, y, record.t), reference.at(x, y).t, 1e-4);
     }
   }
