@@ -54,6 +54,8 @@ module line_tags #(
   logic [SetW-1:0] write_set, set_q;
   logic [TagW-1:0] tag_q;
   logic [Ways-1:0] found;
+  logic            write;
+  assign write     = fill_i || !ready_o;
   assign write_set = ready_o ? fill_set_i : emptied_q[SetW-1:0];
   always_ff @(posedge clk_i) begin
     if (look_i) begin
@@ -65,7 +67,7 @@ module line_tags #(
     entry_t way_q [Sets];
     entry_t look_q;
     always_ff @(posedge clk_i) begin
-      if (!ready_o || (fill_i && fill_way_o == WayW'(w)))
+      if (write && (!ready_o || fill_way_o == WayW'(w)))
         way_q[write_set] <= '{full: ready_o, tag: fill_tag_i};
       if (look_i) look_q <= way_q[look_set_i];
     end
@@ -81,8 +83,10 @@ module line_tags #(
   logic [Ways-1:1] points;       // of the set to fill: to the upper half
   logic [WayW-1:0] used_way;
   logic [SetW-1:0] turn_set;
+  logic            turn;
+  assign turn     = write || use_i;
   assign used_way = fill_i ? fill_way_o : found_way_o;
-  assign turn_set = (fill_i || !ready_o) ? write_set : set_q;
+  assign turn_set = write ? write_set : set_q;
   for (genvar n = 1; n < Ways; n++) begin : g_fork
     localparam int unsigned Level = $clog2(Ways) - ($clog2(n + 1) - 1);   // ways below it, log2
     logic points_q [Sets];
@@ -90,7 +94,7 @@ module line_tags #(
     assign above = ((Ways + 32'(used_way)) >> Level) == n;
     assign upper = used_way[Level-1];
     always_ff @(posedge clk_i) begin
-      if (!ready_o || ((fill_i || use_i) && above)) points_q[turn_set] <= ready_o && !upper;
+      if (turn && (!ready_o || above)) points_q[turn_set] <= ready_o && !upper;
     end
     assign points[n] = points_q[fill_set_i];
   end

@@ -59,7 +59,9 @@ module line_wake #(
     end else if (take) begin
       line_q[0].head <= next_i;
     end
-    for (int unsigned i = 0; i < Depth; i++)
-      if (push_i && !kept[i] && (i == 0 || kept[i-1])) line_q[i] <= '{head: head_i, place: place_i};
+    if (push_i) begin
+      for (int unsigned i = 0; i < Depth; i++)
+        if (!kept[i] && (i == 0 || kept[i-1])) line_q[i] <= '{head: head_i, place: place_i};
+    end
   end
 endmodule

@@ -345,6 +345,13 @@ TEST_F(LineCacheUnit, HoldsThreeLinesWhileBlocked) {
   run({});
 }
 
+TEST_F(LineCacheUnit, TakesNothingUntilItsTagsAreEmptied) {
+  dut_.reset(1);
+  const long start = dut_.cycles();
+  idle();
+  EXPECT_EQ(dut_.cycles() - start, long{kSets});
+}
+
 TEST_F(LineCacheUnit, IsEmptyAfterAReset) {
   const std::vector<line_no_t> lines = random_lines(3, 40, 256, 2);
   run(lines);
