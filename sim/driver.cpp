@@ -118,9 +118,4 @@ Rendering Driver::render(const RenderOptions& options, const Progress& progress)
   return finish();
 }
 
-DeviceConfig Driver::config() {
-  const std::uint32_t config = device_.read_reg(RegConfig);
-  return {static_cast<int>(config & 0xff), static_cast<int>(config >> 8 & 0xff), static_cast<int>(config >> 16 & 0xff)};
-}
-
 }  // namespace castray::sim

@@ -44,12 +44,6 @@ struct Rendering {
   hit_record_t hit(std::size_t pixel) const;
 };
 
-struct DeviceConfig {
-  int lanes = 0;
-  int contexts = 0;
-  int tile = 0;
-};
-
 class Driver {
  public:
   // Throws DeviceError unless the version and parameter registers are those of this build.
@@ -73,7 +67,6 @@ class Driver {
   void set_arguments(const RenderOptions& options);
   void go();
 
-  DeviceConfig config();
   Device& device() { return device_; }
   const Buffer& image_buffer() const { return image_; }
   const Buffer& frame_buffer() const { return frame_; }

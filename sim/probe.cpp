@@ -20,13 +20,11 @@ extern "C" unsigned char castray_probing() { return attached != nullptr; }
 extern "C" void castray_probe(int stream, const std::uint32_t* words) {
   if (!attached) return;
   switch (stream) {
-    case 0: return add(attached->pixels, words);
-    case 1: return add(attached->directions, words);
-    case 2: return add(attached->rays, words);
-    case 3: return add(attached->candidates, words);
-    case 4: return add(attached->results, words);
-    case 5: return add(attached->hits, words);
-    case 6: return add(attached->shade_requests, words);
-    case 7: return add(attached->shaded, words);
+    case 0: return add(attached->directions, words);
+    case 1: return add(attached->rays, words);
+    case 2: return add(attached->candidates, words);
+    case 3: return add(attached->results, words);
+    case 4: return add(attached->hits, words);
+    case 5: return add(attached->shaded, words);
   }
 }

@@ -10,13 +10,11 @@
 namespace castray::sim {
 
 struct Probe {
-  std::vector<pixel_tag_t> pixels;
   std::vector<pixel_dir_t> directions;
   std::vector<ray_t> rays;
   std::vector<cand_t> candidates;
   std::vector<result_t> results;
   std::vector<hit_t> hits;
-  std::vector<shade_req_t> shade_requests;
   std::vector<shaded_t> shaded;
 
   // Attached for as long as this object lives; one at a time.

@@ -11,10 +11,8 @@ const std::vector<std::string>& Stalls::names() {
   return names;
 }
 
-bool Stalls::known(std::string_view name) { return std::find(names().begin(), names().end(), name) != names().end(); }
-
 Stalls::Stalls(const std::string& name, std::uint64_t seed) : name_(name), random_(seed) {
-  if (!known(name)) throw std::invalid_argument("unknown stall pattern '" + name + "'");
+  if (std::find(names().begin(), names().end(), name) == names().end()) throw std::invalid_argument("unknown stall pattern '" + name + "'");
   if (name == "uniform") kind_ = Kind::kUniform;
   if (name == "bursty") kind_ = Kind::kBursty;
   if (name == "turn") kind_ = Kind::kTurn;

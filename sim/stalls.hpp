@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <random>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace castray::sim {
@@ -29,7 +28,6 @@ struct StallShare {
 class Stalls {
  public:
   static const std::vector<std::string>& names();
-  static bool known(std::string_view name);
 
   explicit Stalls(const std::string& name = "none", std::uint64_t seed = 1);
 

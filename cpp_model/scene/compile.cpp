@@ -178,16 +178,6 @@ double SceneImage::step() const { return std::ldexp(1.0, static_cast<int>(header
 
 SceneImage compile(const Scene& scene, int width, int height) { return Compiler(scene).image(width, height); }
 
-void set_frame(SceneImage& image, const Scene& scene, int width, int height) {
-  Grid grid;
-  grid.power = static_cast<int>(image.header.grid_power);
-  grid.corner[0] = image.header.corner_x;
-  grid.corner[1] = image.header.corner_y;
-  grid.corner[2] = image.header.corner_z;
-  image.frame = frame_record(scene, grid, width, height);
-  put(image.bytes, HeaderBytes, image.frame);
-}
-
 double scene_distance(const SceneImage& image, int x, int y, std::int64_t t) {
   const frame_record_t& f = image.frame;
   const double across = (2.0 * x + 1 - double(f.width)) * double(f.pitch);

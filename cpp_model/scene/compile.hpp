@@ -25,10 +25,6 @@ struct SceneImage {
 // Throws SceneError when a number is out of range, or the frame's size is not 1 to MaxFrameSize.
 SceneImage compile(const Scene& scene, int width, int height);
 
-// Writes the frame record anew: camera, paint, pixel format and size of `scene`, nothing else of it.
-// Throws SceneError when the eye lies outside the image's grid.
-void set_frame(SceneImage& image, const Scene& scene, int width, int height);
-
 // Distance in scene units of a hit record's t at a pixel.
 double scene_distance(const SceneImage& image, int x, int y, std::int64_t t);
 
