@@ -2,6 +2,7 @@
 // One frame from a scene image to a rendering, on either device: for the programs and the tests.
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct RtlRun {
 
   double cycles_per_second() const { return seconds > 0 ? static_cast<double>(rendering.cycles()) / seconds : 0; }
 };
+
+// As run_rtl below: a program that takes one can be shown a core that errs.
+using RunRtl = std::function<RtlRun(const SceneImage&, const RtlOptions&, const RenderOptions&, const Progress&)>;
 
 // Throw DeviceError when the core hangs or is not of this build.
 RtlRun run_rtl(const SceneImage& image, const RtlOptions& device, const RenderOptions& options = {}, const Progress& progress = {});

@@ -25,6 +25,16 @@ struct Probe {
     Attached(const Attached&) = delete;
     Attached& operator=(const Attached&) = delete;
   };
+
+  // Nothing is noted for as long as this object lives: registers without reset hold anything while
+  // the core is reset, and what seems to pass then is no item.
+  class Muted {
+   public:
+    Muted();
+    ~Muted();
+    Muted(const Muted&) = delete;
+    Muted& operator=(const Muted&) = delete;
+  };
 };
 
 }  // namespace castray::sim

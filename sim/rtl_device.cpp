@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "axi/axi_lite_regs.hpp"
+#include "probe.hpp"
 
 namespace castray::sim {
 namespace {
@@ -25,6 +26,7 @@ std::string RtlDevice::description() const {
 }
 
 void RtlDevice::reset() {
+  const Probe::Muted muted;
   core_->reset(memory_, kResetCycles);
   written_.clear();
   memory_.set_windows({});

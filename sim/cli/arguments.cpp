@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <cstdio>
+#include <string_view>
 
 #include "scene/load.hpp"
 
@@ -20,6 +21,14 @@ void parse_size(const std::string& text, int& width, int& height) {
 }
 
 }  // namespace
+
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
 
 void SceneArguments::add_to(CLI::App& command) {
   command.add_option("scene", file, "a scene file (.json) or a mesh (.geo .obj .ply .stl .gltf .glb)")->required();

@@ -10,6 +10,9 @@
 
 namespace castray::cli {
 
+// A word as a shell reads it: in quotes where it needs them.
+std::string shell_word(const std::string& word);
+
 struct SceneArguments {
   std::string file;
   std::string size;  // empty: the scene's own

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "frame_run.hpp"
+
 namespace castray::cli {
 
 // What the program returns to the shell.
@@ -25,13 +27,20 @@ struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Each adds one command to the program; its callback leaves the exit code in `code`.
-void add_render(CLI::App& app, int& code);
-void add_ray(CLI::App& app, int& code);
-void add_info(CLI::App& app, int& code);
-void add_compare(CLI::App& app, int& code);
+// What the commands are given, and what they leave.
+struct Context {
+  std::string program;  // as it was called
+  sim::RunRtl run_rtl;  // renders on the simulated core
+  int code = kOk;
+};
+
+// Each adds one command to the program; its callback leaves the exit code in the context.
+void add_render(CLI::App& app, Context& context);
+void add_ray(CLI::App& app, Context& context);
+void add_info(CLI::App& app, Context& context);
+void add_compare(CLI::App& app, Context& context);
 
 // All of them; never throws.
-int program(int argc, const char* const* argv);
+int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl = sim::run_rtl);
 
 }  // namespace castray::cli

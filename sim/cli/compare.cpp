@@ -46,13 +46,13 @@ ExitCode compare(const Arguments& args) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, int& code) {
+void add_compare(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("compare", "compare two pictures of the same size");
   const auto args = std::make_shared<Arguments>();
   command->add_option("a", args->a, "a picture")->required();
   command->add_option("b", args->b, "another")->required();
   command->add_option("--tolerance", args->tolerance, "how far a channel may be away, of 255")->check(CLI::Range(0, 255))->capture_default_str();
-  command->callback([args, &code] { code = compare(*args); });
+  command->callback([args, &context] { context.code = compare(*args); });
 }
 
 }  // namespace castray::cli

@@ -42,13 +42,13 @@ void info(const SceneArguments& arguments) {
 
 }  // namespace
 
-void add_info(CLI::App& app, int& code) {
+void add_info(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("info", "what a scene holds, and what the core would be given of it");
   const auto args = std::make_shared<SceneArguments>();
   args->add_to(*command);
-  command->callback([args, &code] {
+  command->callback([args, &context] {
     info(*args);
-    code = kOk;
+    context.code = kOk;
   });
 }
 

@@ -22,18 +22,18 @@ int complain(ExitCode code, const char* what) {
   return code;
 }
 
-int run(int argc, const char* const* argv) {
-  int code = kOk;
+int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
+  Context context{argc > 0 ? argv[0] : "castray", run_rtl};
   CLI::App app("castray: a ray tracer in hardware, simulated", "castray");
   const std::string version =
       std::to_string(VersionMajor) + "." + std::to_string(VersionMinor) + "." + std::to_string(VersionPatch);
   app.set_version_flag("--version", "castray " + version + " (" + kCommit + ")");
   app.footer(kFooter);
   app.require_subcommand(1);
-  add_render(app, code);
-  add_ray(app, code);
-  add_info(app, code);
-  add_compare(app, code);
+  add_render(app, context);
+  add_ray(app, context);
+  add_info(app, context);
+  add_compare(app, context);
   const auto named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
     throw InputError("'" + std::string(argv[1]) + "' is not a command; castray --help lists them");
@@ -44,14 +44,14 @@ int run(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& e) {
     return complain(kBadInput, e.what());
   }
-  return code;
+  return context.code;
 }
 
 }  // namespace
 
-int program(int argc, const char* const* argv) {
+int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
   try {
-    return run(argc, argv);
+    return run(argc, argv, run_rtl);
   } catch (const SceneError& e) {
     return complain(kBadInput, e.what());
   } catch (const InputError& e) {

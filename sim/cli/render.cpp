@@ -40,15 +40,18 @@ struct Arguments {
 
 class Render {
  public:
-  explicit Render(const Arguments& arguments) : args_(arguments), scene_(args_.scene.load()) {}
+  Render(const Arguments& arguments, const Context& context) : args_(arguments), context_(context), scene_(args_.scene.load()) {}
 
   ExitCode run() {
     if (args_.check && args_.engine != "rtl") throw InputError("--check: only --engine rtl is compared with the model");
     if (!args_.on_device() && (!args_.hits.empty() || !args_.frame.empty() || args_.float64))
       throw InputError("--hits, --frame, --against-float64: only with --engine rtl or model");
     if (!args_.trace_window.empty() && args_.trace.empty()) throw InputError("--trace-window: needs --trace FILE");
+    if (!args_.trace.empty() && args_.trace_window.empty() && !args_.check)
+      throw InputError("--trace: needs --trace-window, or --check, whose first pixel that differs is traced");
+    if (!args_.trace.empty() && args_.engine != "rtl") throw InputError("--trace: only --engine rtl has waveforms");
     if (output().extension().empty()) throw InputError("--output " + output().string() + ": the suffix says which format");
-    for (const fs::path& file : {output(), fs::path(args_.aov), fs::path(args_.json), fs::path(args_.frame), fs::path(args_.hits)})
+    for (const fs::path& file : {output(), fs::path(args_.aov), fs::path(args_.json), fs::path(args_.frame), fs::path(args_.hits), fs::path(args_.trace)})
       if (!file.empty()) sim::check_writable(file);
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
     report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", "brute"},
@@ -106,7 +109,7 @@ class Render {
     // Without a use for the hit records the core is not asked for them: they cost it cycles.
     const bool hits = args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty();
     ProgressBar bar("rendering");
-    const sim::RtlRun run = sim::run_rtl(image_, device, {hits, args_.z_order, {}}, progress(bar));
+    const sim::RtlRun run = context_.run_rtl(image_, device, {hits, args_.z_order, {}}, progress(bar));
     report_.update(report_of(run, device));
     std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, run.device.c_str());
     print_work(run.rendering, run.seconds);
@@ -155,9 +158,9 @@ class Render {
   void explain(std::size_t i, const sim::Rendering& rendering, const sim::Rendering& expected) const {
     const auto width = static_cast<std::size_t>(scene_.width);
     const std::size_t x = i % width, y = i / width;
-    std::printf("  (%zu, %zu)\n    rtl    %s\n    model  %s\n    castray ray %s %zu %zu --size %dx%d%s\n", x, y,
-                sim::text_of(rendering, i).c_str(), sim::text_of(expected, i).c_str(), args_.scene.file.c_str(), x, y,
-                scene_.width, scene_.height, args_.core.text().c_str());
+    std::printf("  (%zu, %zu)\n    rtl    %s\n    model  %s\n    %s ray %s %zu %zu --size %dx%d%s\n", x, y,
+                sim::text_of(rendering, i).c_str(), sim::text_of(expected, i).c_str(), shell_word(context_.program).c_str(),
+                shell_word(args_.scene.file).c_str(), x, y, scene_.width, scene_.height, args_.core.text().c_str());
   }
 
   // Renders the one pixel again, with waveforms.
@@ -165,7 +168,7 @@ class Render {
     const int x = static_cast<int>(i) % scene_.width, y = static_cast<int>(i) / scene_.width;
     sim::RtlOptions device = args_.core.options();
     device.trace_file = args_.trace;
-    sim::run_rtl(image_, device, {true, args_.z_order, sim::PixelWindow{x, y, x + 1, y + 1}});
+    context_.run_rtl(image_, device, {true, args_.z_order, sim::PixelWindow{x, y, x + 1, y + 1}}, {});
     std::printf("wrote %s, the waveforms of pixel (%d, %d)\n", args_.trace.c_str(), x, y);
   }
 
@@ -210,6 +213,7 @@ class Render {
   }
 
   const Arguments& args_;
+  const Context& context_;
   Scene scene_;
   SceneImage image_;
   Json report_;
@@ -217,7 +221,7 @@ class Render {
 
 }  // namespace
 
-void add_render(CLI::App& app, int& code) {
+void add_render(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("render", "render a scene to a picture");
   const auto args = std::make_shared<Arguments>();
   args->scene.add_to(*command);
@@ -235,7 +239,7 @@ void add_render(CLI::App& app, int& code) {
   command->add_flag("--z-order", args->z_order, "walk the tiles along a Z curve, not in rows");
   command->add_option("--trace", args->trace, "waveforms (FST): of --trace-window, or with --check of the first pixel that differs");
   command->add_option("--trace-window", args->trace_window, "FIRST:LAST, cycles since power-up");
-  command->callback([args, &code] { code = Render(*args).run(); });
+  command->callback([args, &context] { context.code = Render(*args, context).run(); });
 }
 
 }  // namespace castray::cli

@@ -33,10 +33,13 @@ void print_run(const sim::RtlRun& run) {
       std::printf(" %s %.0f%% of %s", sim::kChannelNames[i], 100 * run.shares[i].share(), grouped(run.shares[i].wanted).c_str());
     std::printf(" cycles in which it was wanted\n");
   }
-  if (run.violations > 0) {
-    std::printf("  the core broke rules of its bus %s times:\n", grouped(run.violations).c_str());
-    for (const std::string& message : run.messages) std::printf("    %s\n", message.c_str());
-  }
+  print_violations(run);
+}
+
+void print_violations(const sim::RtlRun& run) {
+  if (run.violations == 0) return;
+  std::printf("  the core broke rules of its bus %s times:\n", grouped(run.violations).c_str());
+  for (const std::string& message : run.messages) std::printf("    %s\n", message.c_str());
 }
 
 void print_comparison(const sim::Comparison& comparison, const sim::Rendering& rendering) {

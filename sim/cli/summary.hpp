@@ -14,6 +14,7 @@ namespace castray::cli {
 std::string grouped(std::uint64_t number);
 
 void print_run(const sim::RtlRun& run);
+void print_violations(const sim::RtlRun& run);
 void print_work(const sim::Rendering& rendering, double seconds);
 void print_comparison(const sim::Comparison& comparison, const sim::Rendering& rendering);
 void print_reference(const sim::ReferenceCheck& check);

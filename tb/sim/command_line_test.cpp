@@ -2,75 +2,12 @@
 // The program from outside: bad input ends with one line that names file, place and cause, with the
 // documented exit code, and with no picture; good input with all that was asked for.
 // Cores: l3c32t3p2m128
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "cli/command.hpp"
+#include "command_line.hpp"
 
 namespace castray::tb {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string read(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-class CommandLine : public testing::Test {
- protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string file(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return path(name);
-  }
-  // Runs the program, in this process, its two outputs caught in files.
-  Outcome run(const std::string& arguments) const {
-    std::istringstream stream("castray " + arguments);
-    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-    std::vector<const char*> argv;
-    for (const std::string& word : words) argv.push_back(word.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = cli::program(static_cast<int>(argv.size()), argv.data());
-    outcome.out = testing::internal::GetCapturedStdout();
-    outcome.err = testing::internal::GetCapturedStderr();
-    return outcome;
-  }
-  // Fails with `code` and one line that has all of `words`; leaves no file but those that were there.
-  void expect_refused(const std::string& arguments, int code, const std::vector<std::string>& words) const {
-    SCOPED_TRACE(arguments);
-    const auto count = [&] { return std::distance(fs::recursive_directory_iterator(folder_), fs::recursive_directory_iterator{}); };
-    const auto before = count();
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.code, code) << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    for (const std::string& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " not in: " << outcome.err;
-    EXPECT_EQ(count(), before) << "a file was left behind";
-  }
-
-  const fs::path folder_ = fs::temp_directory_path() / ("castray_command_line_" + std::to_string(getpid()));
-};
 
 TEST_F(CommandLine, BadMeshes) {
   const std::string out = " --engine model -o " + path("out.png") + " --aov " + path("out.exr");

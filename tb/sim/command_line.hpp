@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program run in this process, in a folder of its own.
+#pragma once
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "cli/command.hpp"
+
+namespace castray::tb {
+
+namespace fs = std::filesystem;
+
+// What a run of the program came to.
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+inline std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// The words of a line as a shell reads them: blanks part them, but for those between single quotes.
+inline std::vector<std::string> shell_words(const std::string& line) {
+  std::vector<std::string> words(1);
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '\'') quoted = !quoted;
+    else if (c != ' ' || quoted) words.back() += c;
+    else if (!words.back().empty()) words.emplace_back();
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return path(name);
+  }
+  // Runs the program, in this process, its two outputs caught in files.
+  Outcome run(const std::string& arguments, const sim::RunRtl& run_rtl = sim::run_rtl) const {
+    const std::vector<std::string> words = shell_words(kProgram + " " + arguments);
+    std::vector<const char*> argv;
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    Outcome outcome;
+    outcome.code = cli::program(static_cast<int>(argv.size()), argv.data(), run_rtl);
+    outcome.out = testing::internal::GetCapturedStdout();
+    outcome.err = testing::internal::GetCapturedStderr();
+    return outcome;
+  }
+  // Fails with `code` and one line that has all of `words`; leaves no file but those that were there.
+  void expect_refused(const std::string& arguments, int code, const std::vector<std::string>& words) const {
+    SCOPED_TRACE(arguments);
+    const auto count = [&] { return std::distance(fs::recursive_directory_iterator(folder_), fs::recursive_directory_iterator{}); };
+    const auto before = count();
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    for (const std::string& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " not in: " << outcome.err;
+    EXPECT_EQ(count(), before) << "a file was left behind";
+  }
+
+  static inline const std::string kProgram = "castray";
+  const fs::path folder_ = fs::temp_directory_path() / ("castray_command_line_" + std::to_string(getpid()));
+};
+
+}  // namespace castray::tb
