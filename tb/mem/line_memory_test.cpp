@@ -326,10 +326,10 @@ TEST(LineMemoryUnit, HoldsTheLinesOfTheSecondCache) {
 }
 
 TEST(LineMemoryUnit, ReplacesTheWayThatTheTreePointsTo) {
-  // Four lines take the ways 0, 2, 1, 3; the use of the first turns the root to the upper two, of which 3 came last.
+  // Four lines take the ways 0, 2, 1, 3; the use of way 1 turns the root to the upper two, of which 3 came last.
   LineMemory memory(kTwo);
   const line_no_t a = 6, step = 512, b = a + step, c = b + step, d = c + step, e = d + step;
-  for (const line_no_t line : {a, b, c, d, a, e}) {
+  for (const line_no_t line : {a, b, c, d, c, e}) {
     memory.wanted[0] = {line};
     memory.run();
   }
