@@ -10,6 +10,10 @@ CORES_BENCH  := $(CORES_TEST) l1c1t3p2m128 l1c32t3p2m128 l2c32t3p2m128 l8c32t3p2
 cores_files   = $(1:%=$(BUILD)/cores/%.so)
 
 CORE_RTL := $(RTL) sim/stream_probe.sv sim/stream_checks.sv
+LINTS    += $(BUILD)/lint/sim.ok
+$(BUILD)/lint/sim.ok: $(CORE_RTL) tools/waivers.vlt
+	$(call lint,castray_core,$(filter-out $(PACKAGES),$(CORE_RTL)))
+
 # The variant that is built with assertions: every stream's contract is checked while it runs.
 CORES_CHECKED := l1c32t3p1m0
 # Parameters of a variant by its name: l3c32t3p2m128 -> -GLanes=3 -GContexts=32 -GTileLog2=3 -GPorts=2
@@ -20,7 +24,7 @@ core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts=,$(wordlist 1,
 $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@mkdir -p $(@D)
 	@echo "  VERILATE castray_core $*"
-	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) -Wno-fatal --trace-fst --prefix Vcastray_core --Mdir $(@D) \
+	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) --trace-fst --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
 	@cd $(@D) && for step in "$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1" "Vcastray_core__ALL.a=-O3 -march=native"; do \
 	  MAKEFLAGS= make -s -f Vcastray_core.mk -j$(JOBS) $${step%%=*} CXX=$(CXX) USER_CPPFLAGS="-fPIC -fvisibility=hidden" \

@@ -27,10 +27,17 @@ define verilate
 	@touch $(2)/V$(1)__ALL.a
 endef
 
-# Lint: every module as its own top.
-LINTS := $(MODULES:rtl/%.sv=$(BUILD)/lint/%.ok)
-$(BUILD)/lint/%.ok: rtl/%.sv $(RTL) tools/waivers.vlt
+# Lint: every module and every wrapper of a test as its own top; the core as it is simulated: tools/core.mk.
+WRAPPERS := $(shell find tb -name '*_tb.sv')
+LINTS    := $(MODULES:rtl/%.sv=$(BUILD)/lint/%.ok) $(WRAPPERS:%.sv=$(BUILD)/lint/%.ok)
+# lint(top,files)
+define lint
 	@mkdir -p $(@D)
 	@rm -f $@
-	@$(VERILATOR) --lint-only $(VERILATOR_FLAGS) --top-module $(basename $(notdir $<)) $<
+	@$(VERILATOR) --lint-only $(VERILATOR_FLAGS) --top-module $(1) $(2)
 	@touch $@
+endef
+$(BUILD)/lint/%.ok: rtl/%.sv $(RTL) tools/waivers.vlt
+	$(call lint,$(notdir $*),$<)
+$(BUILD)/lint/tb/%.ok: tb/%.sv $(RTL) tools/waivers.vlt
+	$(call lint,$(notdir $*),$<)

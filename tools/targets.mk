@@ -29,11 +29,11 @@ test: ## everything that must pass: lint, units, model, small frames; ends with 
 # What does not build counts as failed, so the build goes on behind an error.
 test-run:
 	@built=0; $(MAKE) --no-print-directory -k $(LINTS) programs tests || built=1; \
-	 ok=$$(ls $(LINTS) 2> /dev/null | wc -l); echo "  lint: $$ok of $(words $(LINTS)) modules clean"; \
+	 ok=$$(ls $(LINTS) 2> /dev/null | wc -l); echo "  lint: $$ok of $(words $(LINTS)) tops clean"; \
 	 python3 tools/run_tests.py -j $(JOBS) --passed $$ok --failed $$(($(words $(LINTS)) - ok + built)) $(TEST_PROGRAMS)
 
-lint: $(LINTS) ## lint every module as its own top
-	@echo "lint: $(words $(LINTS)) modules clean"
+lint: $(LINTS) ## lint every module and test wrapper as its own top, and the core as it is simulated
+	@echo "lint: $(words $(LINTS)) tops clean"
 
 programs: $(BUILD)/castray $(BUILD)/make_teapot $(call cores_files,$(CORES_RENDER)) ## build the command-line programs
 
