@@ -25,8 +25,13 @@ module width_check
   if (NormFrac != ShearFrac - 2) begin : g_norm
     $error("castray_cfg_pkg: NormFrac is %0d, it must be ShearFrac - 2", NormFrac);
   end
-  if (DirFrac != 42 || UnitFrac != 16 || RootFrac != 5 || PrimW != 21 || CoordFieldW != 26
-      || SpanW != 29 || LineW != 22 || RecipW != 17 || DistW != 12) begin : g_fixed
-    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, PrimW, CoordFieldW, SpanW, LineW, RecipW, DistW are fixed: 42, 16, 5, 21, 26, 29, 22, 17, 12");
+  if (DirFrac != 42 || UnitFrac != 16 || RootFrac != 5 || SpanW != 29 || RecipW != 17 || DistW != 12) begin : g_fixed
+    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, SpanW, RecipW, DistW are fixed: 42, 16, 5, 29, 17, 12");
+  end
+  if (CoordFieldW != 26 || PrimW != 21 || LineW != 22 || PixelW != 12) begin : g_fields
+    $error("castray_cfg_pkg: CoordFieldW, PrimW, LineW, PixelW are fixed: 26, 21, 22, 12");
+  end
+  if (ScaleFrac != 44 || RotFrac != 30 || CheckerInt != 10 || CheckerFrac != 8) begin : g_frame
+    $error("castray_cfg_pkg: ScaleFrac, RotFrac, CheckerInt, CheckerFrac are fixed: 44, 30, 10, 8");
   end
 endmodule

@@ -19,10 +19,10 @@ package castray_image_pkg;
   localparam int unsigned PixelBytes   = 4;
   localparam logic [31:0] NoHit        = 32'hffffffff;  // number and instance in the record of a miss
 
-  // The widths an image was made for, compared whole: the layout is the same for all of them, what
-  // a step means is not.
+  // What the fields of image and hit records are in units of, of the widths that may be chosen; the
+  // fixed ones belong to the version. Compared whole: the layout is the same for all of them.
   localparam logic [31:0] ImageParameters =
-    32'(CoordW) | (32'(PrimW) << 8) | (32'(UnitFrac) << 16) | (32'(DirFrac) << 24);
+    32'(CoordW) | (32'(ShearFrac) << 8) | (32'(TFrac) << 16) | (32'(BaryFrac) << 24);
 
   // A section: its first byte from the image's start, and how many records it holds.
   typedef struct packed {
