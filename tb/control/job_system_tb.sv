@@ -91,11 +91,15 @@ module job_system_tb
   logic setup_done_q;
   always_ff @(posedge clk_i) setup_done_q <= datapath_rst_n && (setup_done_q || setup_start);
 
-  counters #(.Lanes(1)) u_counters (
-    .clk_i, .rst_ni, .clear_i(start), .running_i(running),
-    .test_i(1'b0), .ray_i(1'b0), .hit_i(1'b0), .candidate_i(1'b0), .batch_i(1'b0), .test_stall_i(1'b0),
-    .fetch_stall_i(1'b0), .attr_hit_i(1'b0), .attr_miss_i(1'b0),
-    .read_beat_i(read_beat), .write_beat_i(write_beat), .counts_o(counts)
+  logic [EventBits-1:0] events [Counters];
+  always_comb begin
+    for (int unsigned i = 0; i < Counters; i++) events[i] = '0;
+    events[CntCycles][0]     = running;
+    events[CntReadBeats][0]  = read_beat;
+    events[CntWriteBeats][0] = write_beat;
+  end
+  counters u_counters (
+    .clk_i, .rst_ni, .clear_i(start), .events_i(events), .counts_o(counts)
   );
 
   logic [1:0] read_valid, read_ready, rsp_valid;
