@@ -43,7 +43,7 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 	  sim/core_instance.cpp $< $(VERILATED_PIC) -lz -latomic -lpthread -o $@
 
 # ---- Programs ----
-SIM_PROGRAMS := castray make_teapot bench
+SIM_PROGRAMS := castray make_scene bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
@@ -66,8 +66,8 @@ $(BUILD)/castray: $(BUILD)/obj/sim/castray.o $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB
 $(BUILD)/bench: $(BUILD)/obj/sim/bench.o $(SIM_OBJECTS) $(LIB)
 	@echo "  LINK  bench"
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
-$(BUILD)/make_teapot: $(BUILD)/obj/sim/make_teapot.o $(LIB)
-	@echo "  LINK  make_teapot"
+$(BUILD)/make_scene: $(BUILD)/obj/sim/make_scene.o $(LIB)
+	@echo "  LINK  make_scene"
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(LIBS)
 
 # ---- Tests: tb/sim of the simulator itself, tb/frame of whole frames on the test variants ----

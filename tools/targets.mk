@@ -35,7 +35,7 @@ test-run:
 lint: $(LINTS) ## lint every module and test wrapper as its own top, and the core as it is simulated
 	@echo "lint: $(words $(LINTS)) tops clean"
 
-programs: $(BUILD)/castray $(BUILD)/make_teapot $(call cores_files,$(CORES_RENDER)) ## build the command-line programs
+programs: $(BUILD)/castray $(BUILD)/make_scene $(call cores_files,$(CORES_RENDER)) ## build the command-line programs
 
 tests: $(ALL_TESTS)
 

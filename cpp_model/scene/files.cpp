@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/files.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "scene/scene.hpp"
 
@@ -21,7 +21,9 @@ void check_readable(const std::filesystem::path& path) {
 std::string read_file(const std::filesystem::path& path) {
   check_readable(path);
   std::ifstream in(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  std::string bytes;
+  std::array<char, 1 << 16> part;  // not by its size: a pipe has none
+  while (in.read(part.data(), part.size()), in.gcount() > 0) bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
   if (in.bad()) throw SceneError(path.string(), "read", std::strerror(errno));
   return bytes;
 }
