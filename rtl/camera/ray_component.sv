@@ -5,7 +5,7 @@
 //   s2  dir = ahead + a right + b up                       exact, Q3.42
 // Model: cpp_model/camera/ray_gen.hpp, equal bit for bit.
 module ray_component
-  import castray_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*;
 (
   input  logic                clk_i,
   input  logic [2:0]          load_i,
@@ -19,10 +19,10 @@ module ray_component
   output dir_comp_t           dir_o
 );
   localparam int unsigned StepW = $bits(dir_step_t);
-  localparam int unsigned LowW  = 26;              // unsigned in 27 bits
+  localparam int unsigned LowW  = DspAW - 1;       // unsigned, with a zero above
   localparam int unsigned HighW = StepW - LowW;
-  if (HighW > 27) begin : g_check
-    $error("ray_component: a step must have at most 53 bits");
+  if (HighW > DspAW) begin : g_check
+    $error("ray_component: a step must have at most %0d bits", LowW + DspAW);
   end
 
   typedef logic signed [LowW+13:0]      low_t;

@@ -103,10 +103,10 @@ module ray_setup
   shear_t  sx_q [5], sy_q [5];
   rest_t   rest_q [5];
   norm2_t  norm2_q;
-  logic signed [53:0] xx, yy;
+  mul54_t xx, yy;
   width_check u_widths ();
-  mul27 u_xx (.clk_i, .en_i(load[3:1]), .a_i(27'(sx_q[0])), .b_i(27'(sx_q[0])), .p_o(xx));
-  mul27 u_yy (.clk_i, .en_i(load[3:1]), .a_i(27'(sy_q[0])), .b_i(27'(sy_q[0])), .p_o(yy));
+  mul27 u_xx (.clk_i, .en_i(load[3:1]), .a_i(mul27_t'(sx_q[0])), .b_i(mul27_t'(sx_q[0])), .p_o(xx));
+  mul27 u_yy (.clk_i, .en_i(load[3:1]), .a_i(mul27_t'(sy_q[0])), .b_i(mul27_t'(sy_q[0])), .p_o(yy));
 
   always_ff @(posedge clk_i) begin
     if (load[0]) begin

@@ -31,12 +31,12 @@ module edge_fns
   input  delta_t             reach_i,
   input  delta_t             radius_i,
 
-  output logic signed [53:0] p0_o,
-  output logic signed [53:0] p1_o,
-  output logic signed [53:0] p2_o,
-  output logic signed [53:0] p3_o,
-  output logic signed [53:0] p4_o,
-  output logic signed [53:0] p5_o,
+  output mul54_t p0_o,
+  output mul54_t p1_o,
+  output mul54_t p2_o,
+  output mul54_t p3_o,
+  output mul54_t p4_o,
+  output mul54_t p5_o,
 
   output edge_fn_t           u_o,
   output edge_fn_t           v_o,
@@ -46,12 +46,12 @@ module edge_fns
   output logic               w_neg_o,
   output logic               point_o
 );
-  mul27 u_p0 (.clk_i, .en_i, .a_i(sphere_i ? 27'(ax_i) : 27'(cx_i)), .b_i(sphere_i ? 27'(ax_i) : 27'(by_i)), .p_o(p0_o));
-  mul27 u_p1 (.clk_i, .en_i, .a_i(sphere_i ? 27'(reach_i) : 27'(cy_i)), .b_i(sphere_i ? 27'(radius_i) : 27'(bx_i)), .p_o(p1_o));
-  mul27 u_p2 (.clk_i, .en_i, .a_i(27'(ax_i)), .b_i(sphere_i ? 27'(sx_i) : 27'(cy_i)), .p_o(p2_o));
-  mul27 u_p3 (.clk_i, .en_i, .a_i(27'(ay_i)), .b_i(sphere_i ? 27'(sx_i) : 27'(cx_i)), .p_o(p3_o));
-  mul27 u_p4 (.clk_i, .en_i, .a_i(27'(ay_i)), .b_i(sphere_i ? 27'(ay_i) : 27'(bx_i)), .p_o(p4_o));
-  mul27 u_p5 (.clk_i, .en_i, .a_i(27'(ax_i)), .b_i(sphere_i ? 27'(sy_i) : 27'(by_i)), .p_o(p5_o));
+  mul27 u_p0 (.clk_i, .en_i, .a_i(sphere_i ? mul27_t'(ax_i) : mul27_t'(cx_i)), .b_i(sphere_i ? mul27_t'(ax_i) : mul27_t'(by_i)), .p_o(p0_o));
+  mul27 u_p1 (.clk_i, .en_i, .a_i(sphere_i ? mul27_t'(reach_i) : mul27_t'(cy_i)), .b_i(sphere_i ? mul27_t'(radius_i) : mul27_t'(bx_i)), .p_o(p1_o));
+  mul27 u_p2 (.clk_i, .en_i, .a_i(mul27_t'(ax_i)), .b_i(sphere_i ? mul27_t'(sx_i) : mul27_t'(cy_i)), .p_o(p2_o));
+  mul27 u_p3 (.clk_i, .en_i, .a_i(mul27_t'(ay_i)), .b_i(sphere_i ? mul27_t'(sx_i) : mul27_t'(cx_i)), .p_o(p3_o));
+  mul27 u_p4 (.clk_i, .en_i, .a_i(mul27_t'(ay_i)), .b_i(sphere_i ? mul27_t'(ay_i) : mul27_t'(bx_i)), .p_o(p4_o));
+  mul27 u_p5 (.clk_i, .en_i, .a_i(mul27_t'(ax_i)), .b_i(sphere_i ? mul27_t'(sy_i) : mul27_t'(by_i)), .p_o(p5_o));
 
   // A product of two sheared coordinates; a sphere's others are up to 54 bits.
   typedef logic signed [2*CoordW+1:0] product_t;

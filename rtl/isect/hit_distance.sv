@@ -95,14 +95,14 @@ module hit_distance
   end
 
   // ---- s1 to s3 ----
-  logic signed [53:0] p, p0_q;
+  mul54_t p, p0_q;
   scales_t            scales;
   delta_t             scale;
   assign scales = scales_q[q_place_q];
   assign scale  = q_last_i ? scales.scale1 : scales.scale0;
 
   mul27 u_part (.clk_i, .en_i({valid_q[2:1], q_valid_i}),
-                .a_i(27'(scale)), .b_i(27'({1'b0, q_i})), .p_o(p));
+                .a_i(mul27_t'(scale)), .b_i(mul27_t'({1'b0, q_i})), .p_o(p));
 
   always_ff @(posedge clk_i) begin
     if (q_valid_i && !q_last_i) u_q[q_place_q] <= q_i;
@@ -117,7 +117,7 @@ module hit_distance
   typedef logic signed [CoordW+11:0] wide_t;
 
   // The only place where precision is lost: to the last bit of a distance.
-  function automatic part_t round_parts(logic signed [53:0] a, logic signed [53:0] b);
+  function automatic part_t round_parts(mul54_t a, mul54_t b);
     logic signed [54:0] sum;
     sum = 55'(a) + 55'(b) + (55'sd1 <<< (BaryFrac - TFrac - 1));
     return part_t'(sum >>> (BaryFrac - TFrac));

@@ -142,7 +142,7 @@ module ray_prim
   end
 
   // ---- s4 to s7: edge functions ----
-  logic signed [53:0] p0, p1, p2, p3, p4, p5;
+  mul54_t p0, p1, p2, p3, p4, p5;
   edge_fn_t           u7, v7, w7;
   logic               u_neg7, v_neg7, w_neg7, point7;
   logic               triangle7_q, neg7_q, cull7_q;

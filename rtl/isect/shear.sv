@@ -19,20 +19,20 @@ module shear
   output sheared_t   x_o,
   output sheared_t   y_o
 );
-  if (CoordW > 26 || ShearFrac > 26) begin : g_check
-    $error("shear: CoordW and ShearFrac must be at most 26, the multipliers' operands");
+  if (CoordW >= DspAW || ShearFrac >= DspAW) begin : g_check
+    $error("shear: CoordW and ShearFrac must be below %0d, the multipliers' operands", DspAW);
   end
 
   delta_t             x1_q, x2_q, y1_q, y2_q;
-  logic signed [63:0] low_x, high_x, low_y, high_y;
+  mul_part_t          low_x, high_x, low_y, high_y;
 
-  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(27'(z_i)), .b_i(27'(sx_i)), .low_o(low_x), .high_o(high_x));
-  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(27'(z_i)), .b_i(27'(sy_i)), .low_o(low_y), .high_o(high_y));
+  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(sx_i)), .low_o(low_x), .high_o(high_x));
+  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(sy_i)), .low_o(low_y), .high_o(high_y));
 
   // The only place where precision is lost: half a unit of two steps.
-  function automatic sheared_t round_half(delta_t x, logic signed [63:0] low, logic signed [63:0] high);
-    logic signed [63:0] twice;
-    twice = (64'(x) <<< ShearFrac) + (64'sd1 <<< ShearFrac) - low - (high <<< 17);
+  function automatic sheared_t round_half(delta_t x, mul_part_t low, mul_part_t high);
+    mul_part_t twice;
+    twice = (mul_part_t'(x) <<< ShearFrac) + (mul_part_t'(1) <<< ShearFrac) - low - (high <<< (DspBW - 1));
     return sheared_t'(twice >>> (ShearFrac + 1));
   endfunction
 

@@ -21,28 +21,28 @@ module sphere_disc
   input  shear_t             sy_i,
 
   // edge_fns' products at s3
-  input  logic signed [53:0] p_xx_i,
-  input  logic signed [53:0] p_yy_i,
-  input  logic signed [53:0] p_xsx_i,
-  input  logic signed [53:0] p_ysx_i,
-  input  logic signed [53:0] p_xsy_i,
-  input  logic signed [53:0] p_nr_i,
+  input  mul54_t p_xx_i,
+  input  mul54_t p_yy_i,
+  input  mul54_t p_xsx_i,
+  input  mul54_t p_ysx_i,
+  input  mul54_t p_xsy_i,
+  input  mul54_t p_nr_i,
 
   output logic               valid_o,
   output det_t               disc_o,
   output towards_t           towards_o
 );
-  logic signed [53:0] p_ysy, p_zz;
+  mul54_t p_ysy, p_zz;
 
-  mul27 u_ysy (.clk_i, .en_i(en_i[2:0]), .a_i(27'(y_i)), .b_i(27'(sy_i)), .p_o(p_ysy));
+  mul27 u_ysy (.clk_i, .en_i(en_i[2:0]), .a_i(mul27_t'(y_i)), .b_i(mul27_t'(sy_i)), .p_o(p_ysy));
 
   // Sums of two products have 55 bits.
-  function automatic sheared_t round_z(logic signed [53:0] p, logic signed [53:0] q);
+  function automatic sheared_t round_z(mul54_t p, mul54_t q);
     logic signed [54:0] sum;
     sum = 55'(p) - 55'(q) + (55'sd1 <<< (ShearFrac - 1));
     return sheared_t'(sum >>> ShearFrac);
   endfunction
-  function automatic towards_t round_towards(logic signed [53:0] p, logic signed [53:0] q);
+  function automatic towards_t round_towards(mul54_t p, mul54_t q);
     logic signed [54:0] sum;
     sum = 55'(p) + 55'(q) + (55'sd1 <<< (ShearFrac - 4));
     return towards_t'(sum >>> (ShearFrac - 3));
@@ -57,7 +57,7 @@ module sphere_disc
   sheared_t z;
   assign z = round_z(p_xsy_i, p_ysx_i);
 
-  mul27 u_zz (.clk_i, .en_i({valid5_q, valid4_q, en_i[3]}), .a_i(27'(z)), .b_i(27'(z)), .p_o(p_zz));
+  mul27 u_zz (.clk_i, .en_i({valid5_q, valid4_q, en_i[3]}), .a_i(mul27_t'(z)), .b_i(mul27_t'(z)), .p_o(p_zz));
 
   assign valid_o = valid7_q && !disc7_q[$bits(det_t)-1];
   assign disc_o  = disc7_q;

@@ -17,7 +17,7 @@ module cordic_sqrt
   import castray_cfg_pkg::*;
 #(
   parameter type tag_t = logic [7:0],
-  localparam int unsigned RadW  = 26,
+  localparam int unsigned RadW  = RootRadW,
   localparam int unsigned RootW = RadW / 2 + RootFrac
 ) (
   input  logic             clk_i,
@@ -33,27 +33,29 @@ module cordic_sqrt
   output logic [RootW-1:0] out_root_o,
   output tag_t             out_tag_o
 );
-  if (RootFrac != 5) begin : g_check
-    $error("cordic_sqrt: its steps are counted for RootFrac 5");
+  if (RadW != 26 || RootFrac != 5) begin : g_check
+    $error("cordic_sqrt: its steps are counted for RootRadW 26 and RootFrac 5");
   end
 
-  localparam int unsigned Steps = 11;
-  localparam logic [27:0] Start = 28'd24461998;  // C, to the nearest integer
+  localparam int unsigned Steps = CordicSteps;
+  localparam int unsigned Drop  = RadW - RootW;    // fraction bits of x that the root has not
+  typedef logic signed [RadW+1:0] reach_t;
+  localparam reach_t Start = reach_t'(CordicStart);
 
   typedef struct packed {
-    logic [27:0] x;   // below 1.4 * 2^26, never negative
-    logic [27:0] y;   // two's complement
+    reach_t x;   // below 1.4 * 2^26, never negative
+    reach_t y;
   } turn_t;
 
   // A radicand that is not normalised starts, and so stays, at x = y = 0.
-  function automatic turn_t first(logic [25:0] rad);
-    if (rad[25:24] == '0) return '0;
+  function automatic turn_t first(logic [RadW-1:0] rad);
+    if (rad[RadW-1 -: 2] == '0) return '0;
     first.x = {2'b0, rad} + Start;
     first.y = {2'b0, rad} - Start;
   endfunction
 
   function automatic turn_t step(turn_t from, int unsigned shift);
-    logic signed [27:0] x, y, dx, dy;
+    reach_t x, y, dx, dy;
     x  = from.x;
     y  = from.y;
     dx = y >>> shift;
@@ -62,10 +64,10 @@ module cordic_sqrt
     step.y = (y < 0) ? y + dy : y - dy;
   endfunction
 
-  function automatic logic [RootW-1:0] rounded(logic [27:0] x);
-    logic [19:0] root;
-    root = 20'((x + 28'd128) >> 8);
-    return (root[19:RootW] != '0) ? '1 : root[RootW-1:0];
+  function automatic logic [RootW-1:0] rounded(reach_t x);
+    logic [RadW+1-Drop:0] root;
+    root = (RadW+2-Drop)'((x + reach_t'(1 << (Drop - 1))) >> Drop);
+    return (root[RadW+1-Drop:RootW] != '0) ? '1 : root[RootW-1:0];
   endfunction
 
   logic [Steps+1:0] valid_q;
@@ -92,7 +94,7 @@ module cordic_sqrt
     end else begin : g_step
       always_ff @(posedge clk_i) begin
         if (move && valid_q[k-1]) begin
-          turn_q <= step(g_turn[k-1].turn_q, (k < 5) ? k : k - 1);
+          turn_q <= step(g_turn[k-1].turn_q, (k <= CordicRepeat) ? k : k - 1);
           tag_q  <= g_turn[k-1].tag_q;
         end
       end

@@ -7,24 +7,27 @@
 // The parts need 45 and 37 bits; the rest are copies of the sign, which synthesis merges and which
 // save a simulator from cutting and extending them.
 // Model: int64 multiplication.
-module mul27_parts (
-  input  logic               clk_i,
+module mul27_parts
+  import castray_cfg_pkg::*, castray_pkg::*;
+(
+  input  logic       clk_i,
 
-  input  logic [1:0]         en_i,
-  input  logic signed [26:0] a_i,
-  input  logic signed [26:0] b_i,
-  output logic signed [63:0] low_o,
-  output logic signed [63:0] high_o
+  input  logic [1:0] en_i,
+  input  mul27_t     a_i,
+  input  mul27_t     b_i,
+  output mul_part_t  low_o,
+  output mul_part_t  high_o
 );
-  logic signed [26:0] a_q, b_q;
+  localparam int unsigned LowW = DspBW - 1;
+  mul27_t a_q, b_q;
 
   // The lower half of b is unsigned: its sign bit is zero.
-  function automatic logic signed [63:0] mul_low(logic signed [26:0] a, logic [16:0] b);
-    logic signed [17:0] b_low;
+  function automatic mul_part_t mul_low(mul27_t a, logic [LowW-1:0] b);
+    logic signed [LowW:0] b_low;
     b_low = {1'b0, b};
     return a * b_low;
   endfunction
-  function automatic logic signed [63:0] mul_high(logic signed [26:0] a, logic signed [9:0] b);
+  function automatic mul_part_t mul_high(mul27_t a, logic signed [DspAW-LowW-1:0] b);
     return a * b;
   endfunction
 
@@ -34,8 +37,8 @@ module mul27_parts (
       b_q <= b_i;
     end
     if (en_i[1]) begin
-      low_o  <= mul_low(a_q, b_q[16:0]);
-      high_o <= mul_high(a_q, b_q[26:17]);
+      low_o  <= mul_low(a_q, b_q[LowW-1:0]);
+      high_o <= mul_high(a_q, b_q[DspAW-1:LowW]);
     end
   end
 endmodule

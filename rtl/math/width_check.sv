@@ -25,8 +25,8 @@ module width_check
   if (NormFrac != ShearFrac - 2) begin : g_norm
     $error("castray_cfg_pkg: NormFrac is %0d, it must be ShearFrac - 2", NormFrac);
   end
-  if (DirFrac != 42 || UnitFrac != 16 || RootFrac != 5 || SpanW != 29 || RecipW != 17 || DistW != 12) begin : g_fixed
-    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootFrac, SpanW, RecipW, DistW are fixed: 42, 16, 5, 29, 17, 12");
+  if (DirFrac != 42 || UnitFrac != 16 || RootRadW != 26 || RootFrac != 5 || SpanW != 29 || RecipW != 17 || DistW != 12) begin : g_fixed
+    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootRadW, RootFrac, SpanW, RecipW, DistW are fixed: 42, 16, 26, 5, 29, 17, 12");
   end
   if (CoordFieldW != 26 || PrimW != 21 || LineW != 22 || PixelW != 12) begin : g_fields
     $error("castray_cfg_pkg: CoordFieldW, PrimW, LineW, PixelW are fixed: 26, 21, 22, 12");

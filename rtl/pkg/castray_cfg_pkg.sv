@@ -32,8 +32,19 @@ package castray_cfg_pkg;
   localparam int unsigned NormFrac = ShearFrac - 2;
   // Fraction bits of a unit normal, a weight and a facing ratio. Fixed.
   localparam int unsigned UnitFrac = 16;
-  // Fraction bits of the normaliser's square root. Fixed.
-  localparam int unsigned RootFrac = 5;
+  // Bits of the normaliser's radicand, and fraction bits of its square root and of the root's
+  // inverse. Fixed.
+  localparam int unsigned RootRadW    = 26;
+  localparam int unsigned RootFrac    = 5;
+  localparam int unsigned InverseFrac = UnitFrac + 1;
+  // The root's CORDIC: shifts by 1, 2, ... up to CordicSteps - 1, CordicRepeat twice, from x = rad + C,
+  // y = rad - C with C = 2^(RootRadW-2) / product of (1 - 4^-shift). Fixed.
+  localparam int unsigned CordicSteps  = 11;
+  localparam int unsigned CordicRepeat = 4;
+  localparam int unsigned CordicStart  = 24461998;
+  // A DSP multiplies signed numbers of so many bits.
+  localparam int unsigned DspAW = 27;
+  localparam int unsigned DspBW = 18;
   // A vector before it is normalised: grid steps of any CoordW, or a mixed normal. Fixed.
   localparam int unsigned SpanW = 29;
   // A column or row of a frame, and so the largest side of a frame. Fixed.

@@ -20,6 +20,9 @@ package castray_pkg;
   typedef logic signed [DirFrac+1:0]       dir_step_t; // Q2.42
   typedef logic signed [UnitFrac+1:0]      unit_t;     // Q2.16
   typedef logic signed [26:0]              tex_t;      // Q11.16, texture coordinate
+  typedef logic signed [DspAW-1:0]         mul27_t;    // operand and product of mul27
+  typedef logic signed [2*DspAW-1:0]       mul54_t;
+  typedef logic signed [63:0]              mul_part_t; // of a product, see mul27_parts
   typedef logic [PrimW-1:0]                prim_t;
   typedef logic [CtxW-1:0]                 ctx_t;
   typedef logic [1:0]                      axis_t;     // 0 x, 1 y, 2 z

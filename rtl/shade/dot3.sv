@@ -8,10 +8,12 @@
 //   s3               P = P0 + M  M
 //   s4                           P = P1 + M
 // Model: int64 arithmetic.
-module dot3 #(
-  parameter int unsigned AW    = 27,   // at most 27 x 18: a DSP each
-  parameter int unsigned BW    = 18,
-  parameter int unsigned Round = 0,    // added to the sum: a half, where the parent rounds
+module dot3
+  import castray_cfg_pkg::*;
+#(
+  parameter int unsigned AW    = DspAW,   // at most a DSP each
+  parameter int unsigned BW    = DspBW,
+  parameter int unsigned Round = 0,       // added to the sum: a half, where the parent rounds
   localparam int unsigned PW   = AW + BW + 2
 ) (
   input  logic                 clk_i,
@@ -25,8 +27,8 @@ module dot3 #(
   input  logic signed [BW-1:0] b2_i,
   output logic signed [PW-1:0] p_o
 );
-  if (AW > 27 || BW > 18) begin : g_check
-    $error("dot3: a DSP multiplies at most 27 by 18 bits");
+  if (AW > DspAW || BW > DspBW) begin : g_check
+    $error("dot3: a DSP multiplies at most %0d by %0d bits", DspAW, DspBW);
   end
 
   typedef logic signed [AW-1:0]    a_t;

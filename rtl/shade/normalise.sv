@@ -35,13 +35,20 @@ module normalise
 );
   // At least the vectors that s4, s5, cordic_sqrt and div_pipe hold, 26: so it is never full.
   localparam int unsigned QueueDepth = 32;
-  if (SpanW != 29 || UnitFrac != 16 || RootFrac != 5) begin : g_check
-    $error("normalise: made for SpanW 29, UnitFrac 16 and RootFrac 5");
+  if (SpanW != 29 || UnitFrac != 16 || RootRadW != 26 || RootFrac != 5) begin : g_check
+    $error("normalise: made for SpanW 29, UnitFrac 16, RootRadW 26 and RootFrac 5");
   end
 
   typedef logic [SpanW-1:0]          magnitude_t;
   typedef logic [$clog2(SpanW)-1:0]  place_t;
-  typedef logic signed [17:0]        small_t;
+  localparam int unsigned SmallW  = UnitFrac + 2;
+  localparam int unsigned SquareW = 2 * SmallW;
+  localparam int unsigned RootW   = RootRadW / 2 + RootFrac;
+  typedef logic signed [SmallW-1:0]  small_t;
+  typedef logic [SquareW-1:0]        square_t;
+  typedef logic [RootW-1:0]          root_t;
+  typedef logic [InverseFrac:0]      inverse_t;
+  typedef logic signed [SmallW+InverseFrac+1:0] product_t;
   typedef struct packed { small_t x, y, z; } small3_t;
   typedef struct packed {
     small3_t v;
@@ -58,10 +65,10 @@ module normalise
   function automatic small_t scaled(span_t v, place_t top);
     logic signed [SpanW:0] wide;
     wide = (SpanW+1)'(v) <<< (place_t'(SpanW - 1) - top);
-    return wide[SpanW -: 18];
+    return wide[SpanW -: SmallW];
   endfunction
-  function automatic logic [35:0] square_of(small_t v);
-    logic signed [35:0] product;
+  function automatic square_t square_of(small_t v);
+    logic signed [SquareW-1:0] product;
     product = v * v;
     return product;
   endfunction
@@ -74,7 +81,7 @@ module normalise
   place_t      top_q;
   small_t      x3_q, y3_q, z3_q;
   tag_t        tag1_q, tag2_q, tag3_q;
-  logic [35:0] xx_q, yy_q, zz_q, square_q;
+  square_t     xx_q, yy_q, zz_q, square_q;
 
   pipe_chain #(.Stages(5)) u_front (
     .clk_i, .rst_ni,
@@ -114,19 +121,20 @@ module normalise
 
   // ---- Its root, and the root's inverse ----
   logic        odd, root_valid, root_ready, root_odd, inverse_valid, inverse_ready, inverse_odd;
-  logic [25:0] rad;
-  logic [17:0] root, inverse;
-  assign odd = square_q[35:34] != '0;
-  assign rad = odd ? square_q[35:10] : square_q[33:8];
+  logic [RootRadW-1:0] rad;
+  root_t       root;
+  inverse_t    inverse;
+  assign odd = square_q[SquareW-1 -: 2] != '0;
+  assign rad = odd ? square_q[SquareW-1 -: RootRadW] : square_q[SquareW-3 -: RootRadW];
 
   cordic_sqrt #(.tag_t(logic)) u_root (
     .clk_i, .rst_ni,
     .in_valid_i(square_valid), .in_ready_o(square_ready), .in_rad_i(rad), .in_tag_i(odd),
     .out_valid_o(root_valid), .out_ready_i(root_ready), .out_root_o(root), .out_tag_o(root_odd)
   );
-  div_pipe #(.NumW(18), .QFrac(17), .tag_t(logic)) u_inverse (
+  div_pipe #(.NumW(RootW), .QFrac(InverseFrac), .tag_t(logic)) u_inverse (
     .clk_i, .rst_ni,
-    .in_valid_i(root_valid), .in_ready_o(root_ready), .in_num_i(18'h20000), .in_den_i(root),
+    .in_valid_i(root_valid), .in_ready_o(root_ready), .in_num_i(root_t'(1 << InverseFrac)), .in_den_i(root),
     .in_tag_i(root_odd),
     .out_valid_o(inverse_valid), .out_ready_i(inverse_ready), .out_q_o(inverse),
     .out_tag_o(inverse_odd)
@@ -141,20 +149,21 @@ module normalise
   );
 
   // ---- s6 to s8 ----
-  function automatic logic signed [36:0] times(small_t v, logic [17:0] r);
-    logic signed [18:0] factor;
+  function automatic product_t times(small_t v, inverse_t r);
+    logic signed [InverseFrac+1:0] factor;
     factor = {1'b0, r};
     return v * factor;
   endfunction
-  function automatic unit_t rounded(logic signed [36:0] p, logic by_18);
-    return by_18 ? unit_t'((p + 37'sd131072) >>> 18) : unit_t'((p + 37'sd65536) >>> 17);
+  function automatic unit_t rounded(product_t p, logic by_two);   // and halved
+    return by_two ? unit_t'((p + product_t'(1 << InverseFrac)) >>> (InverseFrac + 1))
+                  : unit_t'((p + product_t'(1 << (InverseFrac - 1))) >>> InverseFrac);
   endfunction
 
   logic [2:0]         back_load;
   small_t             x6_q, y6_q, z6_q;
-  logic [17:0]        inverse_q;
+  inverse_t           inverse_q;
   logic               odd6_q, odd7_q;
-  logic signed [36:0] px_q, py_q, pz_q;
+  product_t           px_q, py_q, pz_q;
   tag_t               tag6_q, tag7_q;
 
   pipe_chain #(.Stages(3)) u_back (

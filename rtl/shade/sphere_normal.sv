@@ -42,8 +42,8 @@ module sphere_normal
     if (z[CoordW+1] != z[CoordW]) return {z[CoordW+1], {CoordW{!z[CoordW+1]}}};
     return delta_t'(z);
   endfunction
-  function automatic offset_t round_offset(logic signed [53:0] p);
-    return offset_t'((p + 54'(1 << (ShearFrac - 1))) >>> ShearFrac);
+  function automatic offset_t round_offset(mul54_t p);
+    return offset_t'((p + mul54_t'(1 << (ShearFrac - 1))) >>> ShearFrac);
   endfunction
   function automatic depth_t signed_depth(logic neg, t_t t);
     return neg ? -depth_t'(t) : depth_t'(t);
@@ -71,10 +71,10 @@ module sphere_normal
   depth_t             depth_q;
   delta_t             z_q [1:Stages-1];
   shear_t             shear_q [2];
-  logic signed [53:0] product;
+  mul54_t product;
   offset_t            offset_q;
   mul27 u_mul (
-    .clk_i, .en_i(load[4:2]), .a_i(27'(shear_q[1])), .b_i(27'(z_q[1])), .p_o(product)
+    .clk_i, .en_i(load[4:2]), .a_i(mul27_t'(shear_q[1])), .b_i(mul27_t'(z_q[1])), .p_o(product)
   );
   always_ff @(posedge clk_i) begin
     if (load[0]) begin

@@ -28,6 +28,14 @@ TEST(CordicSqrtModel, EveryRadicandIsWithinItsBound) {
   EXPECT_EQ(lowest, 1 << 17) << "the reciprocal's divisor is at least 2^17";
 }
 
+// C = 2^(RootRadW-2) / product of (1 - 4^-shift), to the nearest integer.
+TEST(CordicSqrtModel, StartsWithTheConstantOfItsSteps) {
+  long double start = 1L << (RootRadW - 2);
+  for (int shift = 1; shift < CordicSteps; ++shift)
+    for (int times = shift == CordicRepeat ? 2 : 1; times > 0; --times) start /= 1 - std::ldexp(1.0L, -2 * shift);
+  EXPECT_EQ(CordicStart, std::llround(start));
+}
+
 TEST(CordicSqrtModel, PowersOfFourAreExact) {
   EXPECT_EQ(cordic_sqrt(1 << 24), 1 << 17);
   EXPECT_EQ(cordic_sqrt(9 << 22), 3 << 16);
