@@ -13,7 +13,7 @@ $(RECORDS): tools/sv_records.py $(PACKAGES)
 VERILATOR       := verilator
 VERILATOR_FLAGS := -Wall -fno-const-bit-op-tree --x-initial unique --x-assign unique --assert \
                    $(addprefix -y ,$(RTL_DIRS)) tools/waivers.vlt $(PACKAGES)
-VERILATOR_ROOT  := $(or $(VERILATOR_ROOT),$(shell verilator --getenv VERILATOR_ROOT))
+VERILATOR_ROOT  := $(or $(VERILATOR_ROOT),$(shell verilator --getenv VERILATOR_ROOT 2> /dev/null))
 VERILATED_INC    = -isystem $(VERILATOR_ROOT)/include -isystem $(VERILATOR_ROOT)/include/vltstd
 
 # verilate(unit,output folder,source folder of a wrapper,extra flags): V<unit>.h and V<unit>__ALL.a.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the Debian packages of tools/packages.txt that are missing; through sudo when not root.
+# Installs the Debian packages of tools/packages.txt that are missing, with progress; through sudo when not root.
 # Elsewhere than on a Debian it names them and stops.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -20,11 +20,22 @@ done
 as_root=()
 if [[ $(id -u) -ne 0 ]]; then
   if ! command -v sudo > /dev/null; then
-    echo "setup: not root and no sudo; as root run: apt-get install ${missing[*]}" >&2
+    echo "setup: not root and no sudo; as root run: apt-get update && apt-get install ${missing[*]}" >&2
     exit 1
   fi
   as_root=(sudo)
 fi
 echo "setup: installing ${missing[*]}"
 "${as_root[@]}" apt-get update -qq
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+# apt's status lines, kind:package:percent:text, are all that is shown of its output: each quarter of the way.
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends -o APT::Status-Fd=1 "${missing[@]}" |
+  while IFS=: read -r kind _ percent _; do
+    case $kind in
+      dlstatus) step="download" ;;
+      pmstatus) step="install" ;;
+      *) continue ;;
+    esac
+    reached="$step $((${percent%%[.,]*} / 25 * 25))%"
+    [[ $reached == "${shown-}" ]] || echo "setup: $reached"
+    shown=$reached
+  done
