@@ -7,7 +7,8 @@ SHELL       := bash
 
 BUILD := build
 JOBS  ?= $(shell nproc)
-ifeq ($(filter -j% --jobs%,$(MAKEFLAGS)),)
+# A make that another started shares the jobs of that one.
+ifeq ($(MAKELEVEL)$(filter -j% --jobs%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(JOBS)
 endif
 

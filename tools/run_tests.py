@@ -14,6 +14,9 @@ import subprocess
 import sys
 import time
 
+# A script that calls make does so as from a shell: the jobs of the make that runs the tests are not passed on.
+ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL")}
+
 
 def run(program, log_dir, limit):
     """(program, passed, failed, seconds, log) of one test program."""
@@ -26,7 +29,7 @@ def run(program, log_dir, limit):
     with log.open("w") as out:
         try:
             code = subprocess.run([f"./{program}"], stdout=out, stderr=subprocess.STDOUT,
-                                  stdin=subprocess.DEVNULL, timeout=limit).returncode
+                                  stdin=subprocess.DEVNULL, timeout=limit, env=ENVIRONMENT).returncode
         except subprocess.TimeoutExpired:
             out.write(f"\nstopped after {limit} s\n")
             code = 1

@@ -10,6 +10,7 @@ help: ## list the targets
 	@echo "make TARGET:"
 	@sed -n 's/^\([a-z-]*\):.*## /  \1\t/p' tools/*.mk | expand -t 16
 	@echo "  unit/FOLDER/NAME  build and run one unit's test, for example unit/isect/ray_prim"
+	@echo "  JOBS=N            after a target: so many jobs side by side, else one a processor"
 
 setup: ## install the Debian packages that are missing
 	@tools/setup.sh
