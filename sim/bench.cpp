@@ -32,6 +32,10 @@ std::vector<Run> timed_runs() {
       {"speed", "simulated speed", [] { return rtl_run({"teapot"}, {}); }},
       {"host", "C++ at 320x240", [] { return host_run({"teapot", "teapot", "base", 320, 240}, 0); }},
       {"host", "C++ at 128x96", [] { return host_run({"teapot", "teapot", "base", 128, 96}, 90); }},
+      {"embree", "Embree, teapot base", [] { return embree_run({"teapot", "teapot", "base", 320, 240}); }},
+      {"embree", "Embree, teapot tight", [] { return embree_run({"teapot_tight", "teapot", "tight", 320, 240}); }},
+      {"embree", "Embree, teapot interior", [] { return embree_run({"teapot_interior", "teapot", "interior", 320, 240}); }},
+      {"embree", "Embree, spheres", [] { return embree_run({"spheres", "spheres", "base", 320, 240}); }},
   };
 }
 
@@ -107,7 +111,7 @@ int main(int argc, char** argv) {
   unsigned workers = std::max(1u, std::thread::hardware_concurrency());
   app.add_option("--json", json, "the records, a list of objects")->capture_default_str();
   app.add_option("--page", page, "the tables as Markdown; printed in any case");
-  app.add_option("--only", parts, "these parts: speed host frames ladder tiles transforms stalls reference");
+  app.add_option("--only", parts, "these parts: speed host embree frames ladder tiles transforms stalls reference");
   app.add_option("-j", workers, "runs at a time; what is timed runs alone")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_runs.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "comparison.hpp"
 #include "frame_run.hpp"
+#include "reference/disagreement.hpp"
+#include "reference/embree.hpp"
 #include "reference/float32.hpp"
 #include "reference/float64.hpp"
 #include "reference_check.hpp"
@@ -83,6 +87,35 @@ Json reference_run(const Frame& frame) {
   record["other_cell"] = check.other_cell;
   record["far_colour"] = check.far_colour;
   record["worst_colour"] = check.worst;
+  return record;
+}
+
+Json embree_run(const Frame& frame) {
+  constexpr int kTimes = 5;  // the fastest counts
+  const Scene scene = scene_of(frame);
+  const Embree embree(scene);
+  Json record = head(frame, "embree");
+  record["threads"] = 1;
+  record["build_seconds"] = embree.build_seconds();
+  EmbreeFrame seen;
+  for (const int packet : {16, 8, 4, 1}) {
+    double best = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kTimes; ++i) {
+      seen = embree.frame(frame.width, frame.height, packet);
+      best = std::min(best, seen.seconds);
+    }
+    record["rays_per_second"][std::to_string(packet)] = double(seen.prims.size()) / best;
+  }
+  const sim::Rendering model = sim::run_model(compile(scene, frame.width, frame.height));
+  std::vector<int> ours;
+  for (std::size_t i = 0; i < seen.prims.size(); ++i) ours.push_back(static_cast<int>(static_cast<std::int32_t>(model.hit(i).prim)));
+  const auto found = disagreements(scene, frame.width, frame.height, ours, seen.prims);
+  const auto count = [&](auto&& f) { return std::ranges::count_if(found, f); };
+  record["other_primitive"] = found.size();
+  record["edges"] = count([](const Disagreement& d) { return d.cause == Cause::Edge; });
+  record["ties"] = count([](const Disagreement& d) { return d.cause == Cause::Tie; });
+  record["unexplained"] = count([](const Disagreement& d) { return d.cause == Cause::Unexplained; });
+  record["float64_with_model"] = count([](const Disagreement& d) { return d.float64 == d.ours; });
   return record;
 }
 

@@ -32,6 +32,8 @@ struct Core {
 Json rtl_run(const Frame& frame, const Core& core);
 // A frame of the model against the float64 reference.
 Json reference_run(const Frame& frame);
+// A frame of Embree, one ray at a time and in packets, and where it sees another primitive than the model.
+Json embree_run(const Frame& frame);
 // Times of the float64, the float32 and the fixed-point tracer, one after the other; field_of_view 0
 // keeps the scene's own.
 Json host_run(const Frame& frame, double field_of_view);
