@@ -126,9 +126,11 @@ class Compiler {
   }
 
   tex_t texture(double x) const {
-    const double fixed = std::round(std::ldexp(x, 16));
-    if (!(std::abs(fixed) < 0x1p26))
-      throw SceneError(scene_.file, "triangle " + std::to_string(attributes_.size()), "texture coordinate " + text_of(x) + " is not between -1024 and 1024");
+    const double fixed = std::round(std::ldexp(x, UnitFrac));
+    if (!(std::abs(fixed) < std::ldexp(1, tex_t_bits - 1))) {
+      const std::string most = std::to_string(1 << (TexInt - 1));
+      throw SceneError(scene_.file, "triangle " + std::to_string(attributes_.size()), "texture coordinate " + text_of(x) + " is not between -" + most + " and " + most);
+    }
     return static_cast<tex_t>(fixed);
   }
 

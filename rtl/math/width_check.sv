@@ -31,7 +31,7 @@ module width_check
   if (CoordFieldW != 26 || PrimW != 21 || LineW != 22 || PixelW != 12) begin : g_fields
     $error("castray_cfg_pkg: CoordFieldW, PrimW, LineW, PixelW are fixed: 26, 21, 22, 12");
   end
-  if (ScaleFrac != 44 || RotFrac != 30 || CheckerInt != 10 || CheckerFrac != 8) begin : g_frame
-    $error("castray_cfg_pkg: ScaleFrac, RotFrac, CheckerInt, CheckerFrac are fixed: 44, 30, 10, 8");
+  if (ScaleFrac != 44 || RotFrac != 30 || CheckerInt != 10 || CheckerFrac != 8 || TexInt != 11) begin : g_frame
+    $error("castray_cfg_pkg: ScaleFrac, RotFrac, CheckerInt, CheckerFrac, TexInt are fixed: 44, 30, 10, 8, 11");
   end
 endmodule

@@ -32,6 +32,8 @@ package castray_cfg_pkg;
   localparam int unsigned NormFrac = ShearFrac - 2;
   // Fraction bits of a unit normal, a weight and a facing ratio. Fixed.
   localparam int unsigned UnitFrac = 16;
+  // Integer bits, with the sign, of a texture coordinate, which has UnitFrac fraction bits. Fixed.
+  localparam int unsigned TexInt = 11;
   // Bits of the normaliser's radicand, and fraction bits of its square root and of the root's
   // inverse. Fixed.
   localparam int unsigned RootRadW    = 26;

@@ -19,7 +19,7 @@ package castray_pkg;
   typedef logic signed [DirFrac+2:0]       dir_comp_t; // Q3.42
   typedef logic signed [DirFrac+1:0]       dir_step_t; // Q2.42
   typedef logic signed [UnitFrac+1:0]      unit_t;     // Q2.16
-  typedef logic signed [26:0]              tex_t;      // Q11.16, texture coordinate
+  typedef logic signed [TexInt+UnitFrac-1:0] tex_t;      // Q11.16, texture coordinate
   typedef logic signed [DspAW-1:0]         mul27_t;    // operand and product of mul27
   typedef logic signed [2*DspAW-1:0]       mul54_t;
   typedef logic signed [63:0]              mul_part_t; // of a product, see mul27_parts
