@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "scene/files.hpp"
 #include "scene/geo.hpp"
 #include "scene/import.hpp"
+#include "scene/ply_header.hpp"
 
 namespace castray {
 namespace {
@@ -26,7 +28,9 @@ bool is_mesh_file(const std::filesystem::path& path) {
 Mesh read_mesh(const std::filesystem::path& path) {
   if (!is_mesh_file(path))
     throw SceneError(path.string(), "file name", "unknown format \"" + extension(path) + "\"; known are .geo .obj .ply .stl .gltf .glb");
-  return extension(path) == ".geo" ? read_geo(path) : import_mesh(path);
+  if (extension(path) == ".geo") return read_geo(path);
+  if (extension(path) == ".ply") check_ply_header(read_file(path), path.string());
+  return import_mesh(path);
 }
 
 }  // namespace castray

@@ -77,6 +77,19 @@ TEST_F(Import, UnknownFormat) {
   EXPECT_EQ(load_error("m.xyz", "hello"), "m.xyz: file name: unknown format \".xyz\"; known are .geo .obj .ply .stl .gltf .glb");
 }
 TEST_F(Import, NotAMesh) { EXPECT_EQ(load_error("m.ply", "hello").substr(0, 15), "m.ply: import: "); }
+TEST_F(Import, PlyHeaders) {
+  const std::string face = "property float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n";
+  const std::string data = "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const auto error = [&](const std::string& count, const std::string& rest) {
+    return load_error("m.ply", "ply\nformat ascii 1.0\nelement vertex " + count + "\n" + rest);
+  };
+  EXPECT_EQ(error("3", face + data), "no error");
+  EXPECT_EQ(error("3", face), "m.ply: header: has no end_header");
+  EXPECT_EQ(load_error("m.ply", "ply"), "m.ply: header: has no end_header");
+  EXPECT_EQ(error("2000000000", face + data), "m.ply: header: 2000000001 elements are announced, 26 bytes follow");
+  for (const std::string count : {"-3", "x", "3.5", "", "99999999999999999999"})
+    EXPECT_EQ(error(count, face + data), "m.ply: line 3: '" + count + "' is not a number of elements");
+}
 TEST_F(Import, NoFaces) { EXPECT_NE(load_error("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "no error"); }
 TEST_F(Import, IndexOutOfRange) { EXPECT_EQ(load_error("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").substr(0, 15), "m.obj: import: "); }
 TEST_F(Import, Nan) {
