@@ -3,9 +3,10 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include <cstring>
-#include <fstream>
 #include <limits>
+#include <memory>
+
+#include "scene/replacement.hpp"
 
 #include "mem/hit_writer.hpp"
 
@@ -16,30 +17,6 @@ namespace fs = std::filesystem;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
-// A name beside the file's, with its suffix; removed again unless move() was called.
-class Temporary {
- public:
-  explicit Temporary(const fs::path& file) : file_(file), name_(file) {
-    name_.replace_filename("." + file.stem().string() + ".part" + file.extension().string());
-  }
-  ~Temporary() {
-    std::error_code ignored;
-    if (!moved_) fs::remove(name_, ignored);
-  }
-  const fs::path& name() const { return name_; }
-  void move() {
-    std::error_code error;
-    fs::rename(name_, file_, error);
-    if (error) throw PictureError(file_, "cannot be written: " + error.message());
-    moved_ = true;
-  }
-
- private:
-  fs::path file_;
-  fs::path name_;
-  bool moved_ = false;
-};
-
 // What OpenImageIO says, on one line.
 std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -48,14 +25,19 @@ std::string last_line(std::string text) {
   return text.empty() ? "unknown cause" : text;
 }
 
+std::unique_ptr<OIIO::ImageOutput> output_for(const fs::path& file) {
+  auto output = OIIO::ImageOutput::create(file.string());
+  if (!output) throw PictureError(file, "no picture format of this name: " + last_line(OIIO::geterror()));
+  return output;
+}
+
 void write(const fs::path& file, ImageSpec& spec, TypeDesc format, const void* data, const Metadata& metadata) {
   for (const auto& [key, value] : metadata) spec.attribute(key, value);
-  Temporary temporary(file);
-  const auto output = OIIO::ImageOutput::create(file.string());
-  if (!output) throw PictureError(file, "no picture format of this name: " + last_line(OIIO::geterror()));
-  if (!output->open(temporary.name().string(), spec) || !output->write_image(format, data) || !output->close())
+  Replacement replacement(file);
+  const auto output = output_for(file);
+  if (!output->open(replacement.name().string(), spec) || !output->write_image(format, data) || !output->close())
     throw PictureError(file, "cannot be written: " + last_line(output->geterror()));
-  temporary.move();
+  if (const std::error_code error = replacement.commit()) throw PictureError(file, "cannot be written: " + error.message());
 }
 
 // One pixel of the EXR: its channels one after the other, as OpenImageIO takes mixed formats.
@@ -136,10 +118,17 @@ void write_aov(const fs::path& file, const ReferenceFrame& frame, const Metadata
 }
 
 void check_writable(const fs::path& file) {
-  if (file.filename().empty() || fs::is_directory(file)) throw PictureError(file, "cannot be written: it is a folder");
-  const Temporary temporary(file);
-  std::ofstream stream(temporary.name());
-  if (!stream) throw PictureError(file, std::string("cannot be written: ") + std::strerror(errno));
+  if (const std::error_code error = Replacement::check(file)) throw PictureError(file, "cannot be written: " + error.message());
+}
+
+void check_picture(const fs::path& file) {
+  output_for(file);
+  check_writable(file);
+}
+
+void check_aov(const fs::path& file) {
+  if (!output_for(file)->supports("channelformats")) throw PictureError(file, "cannot hold channels of several formats; .exr can");
+  check_writable(file);
 }
 
 }  // namespace castray::sim

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "scene/replacement.hpp"
 #include "scene/scene.hpp"
 
 namespace castray {
@@ -29,24 +30,19 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 void write_file(const std::filesystem::path& path, const std::string& bytes) {
-  std::filesystem::path partial = path;
-  partial += ".part";
-  std::ofstream out(partial, std::ios::binary | std::ios::trunc);
-  if (!out) throw SceneError(path.string(), "write", std::strerror(errno));
+  const auto check = [&](bool ok, int code) {
+    if (!ok) throw SceneError(path.string(), "write", std::strerror(code));
+  };
+  const std::error_code unwritable = Replacement::check(path);
+  check(!unwritable, unwritable.value());
+  Replacement replacement(path);
+  std::ofstream out(replacement.name(), std::ios::binary | std::ios::trunc);
+  check(out.is_open(), errno);
   out << bytes;
   out.close();
-  std::error_code error;
-  if (!out) {
-    const std::string cause = std::strerror(errno);
-    std::filesystem::remove(partial, error);
-    throw SceneError(path.string(), "write", cause);
-  }
-  std::filesystem::rename(partial, path, error);
-  if (error) {
-    const std::string cause = error.message();
-    std::filesystem::remove(partial, error);
-    throw SceneError(path.string(), "write", cause);
-  }
+  check(!out.fail(), errno);
+  const std::error_code error = replacement.commit();
+  check(!error, error.value());
 }
 
 }  // namespace castray
