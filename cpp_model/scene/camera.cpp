@@ -5,13 +5,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/vectors.hpp"
+
 namespace castray {
 
+namespace {
+// The least sine of the angle between up and the direction of view. Below it rounding decides where
+// right points, and the three axes are no longer square to each other.
+constexpr double kLeastSine = 1e-9;
+}  // namespace
+
 bool look_at(const Vec3& eye, const Vec3& target, const Vec3& up, Matrix& to_world) {
-  const Vec3 back = (eye - target).normalized();
-  const Vec3 right = up.cross(back).normalized();
+  const Vec3 back = unit_or_zero(eye - target);
+  const Vec3 across = unit_or_zero(up).cross(back);
+  if (!(across.length() > kLeastSine)) return false;
+  const Vec3 right = unit_or_zero(across);
   const Vec3 above = back.cross(right);
-  if (back == Vec3(0) || right == Vec3(0)) return false;
   for (int i = 0; i < 3; ++i) {
     to_world[0][i] = right[i];
     to_world[1][i] = above[i];
@@ -41,10 +50,10 @@ void frame_scene(Scene& scene) {
   Vec3 low, high;
   bounds(scene, low, high);
   const Vec3 centre = (low + high) / 2;
-  const double radius = std::max((high - low).length() / 2, 1e-12);
+  const double radius = (high - low).length() / 2;
   const double half = scene.camera.field_of_view * std::numbers::pi / 360;
   const double narrow = std::atan(std::tan(half) * std::min(1.0, double(scene.width) / scene.height));
-  const Vec3 eye = centre + Vec3(0.35, 0.45, 1).normalized() * (radius / std::sin(narrow));
+  const Vec3 eye = centre + unit_or_zero(Vec3(0.35, 0.45, 1)) * (radius / std::sin(narrow));
   look_at(eye, centre, Vec3(0, 1, 0), scene.camera.to_world);
 }
 
@@ -56,7 +65,7 @@ Matrix rotation(const Vec3& axis, double degrees) {
     sine = turn == 1 ? 1 : turn == 3 ? -1 : 0;
     cosine = turn == 0 ? 1 : turn == 2 ? -1 : 0;
   }
-  const Vec3 n = axis.normalized();
+  const Vec3 n = unit_or_zero(axis);
   Matrix matrix;  // row vectors: the transpose of Rodrigues' matrix
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) matrix[i][j] = n[i] * n[j] * (1 - cosine) + (i == j ? cosine : 0);

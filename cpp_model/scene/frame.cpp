@@ -22,6 +22,14 @@ void set_lens(frame_record_t& frame, const Scene& scene, int width, int height) 
   frame.focal = std::min(static_cast<std::uint64_t>(std::llround(std::ldexp(focal, scale))), (std::uint64_t{1} << ScaleFrac) - 1);
 }
 
+// The determinant of the rounded matrix, exactly: its products have 93 bits.
+bool singular(const frame_record_t& f) {
+  using Wide = __int128;
+  const auto minor = [](rot_t a, rot_t b, rot_t c, rot_t d) { return Wide{a} * d - Wide{b} * c; };
+  return f.right_x * minor(f.up_y, f.up_z, f.back_y, f.back_z) - f.right_y * minor(f.up_x, f.up_z, f.back_x, f.back_z) +
+             f.right_z * minor(f.up_x, f.up_y, f.back_x, f.back_y) == 0;
+}
+
 void set_matrix(frame_record_t& frame, const Scene& scene) {
   const Vec3 columns[] = {scene.camera.right(), scene.camera.up(), scene.camera.back()};
   double largest = 0;
@@ -36,6 +44,8 @@ void set_matrix(frame_record_t& frame, const Scene& scene) {
   rot_t* const fields[] = {&frame.right_x, &frame.right_y, &frame.right_z, &frame.up_x, &frame.up_y,
                            &frame.up_z,    &frame.back_x,  &frame.back_y,  &frame.back_z};
   for (int i = 0; i < 9; ++i) *fields[i] = std::llround(std::ldexp(columns[i / 3][i % 3], RotFrac - shift));
+  if (singular(frame))
+    throw SceneError(scene.file, "camera", "the matrix is singular in " + std::to_string(RotFrac) + " fraction bits: its axes are too unequal or too nearly parallel");
 }
 
 }  // namespace

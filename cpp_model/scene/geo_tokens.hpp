@@ -61,6 +61,7 @@ class GeoTokens {
 
   template <class Number> static std::errc read(std::string_view token, Number& value) {
     const char* const end = token.data() + token.size();
+    if (token.starts_with("+-")) return std::errc::invalid_argument;  // from_chars takes no plus of its own
     const auto result = std::from_chars(token.data() + (token[0] == '+'), end, value);
     return result.ec == std::errc() && result.ptr != end ? std::errc::invalid_argument : result.ec;
   }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "scene/text.hpp"
 
@@ -20,9 +22,34 @@ int JsonValue::whole(int least, int most) const {
   return static_cast<int>(number(least, most));
 }
 
+namespace {
+
+// Watches the parser: of two equal keys in one object the library would silently take the later.
+class TwiceGivenKeys {
+ public:
+  explicit TwiceGivenKeys(const std::string& file) : file_(file) {}
+
+  void operator()(nlohmann::json::parse_event_t event, const nlohmann::json& value) {
+    if (event == nlohmann::json::parse_event_t::object_start) open_.emplace_back();
+    if (event == nlohmann::json::parse_event_t::object_end) open_.pop_back();
+    if (event != nlohmann::json::parse_event_t::key) return;
+    if (const auto& key = value.get_ref<const std::string&>(); !open_.back().insert(key).second)
+      throw SceneError(file_, "key \"" + one_line(key) + "\"", "stands twice in one object");
+  }
+
+ private:
+  const std::string& file_;
+  std::vector<std::set<std::string>> open_;  // the keys so far of each object that is not closed
+};
+
+}  // namespace
+
 nlohmann::json parse_json(const std::string& text, const std::string& file) {
   try {
-    return nlohmann::json::parse(text);
+    return nlohmann::json::parse(text, [keys = TwiceGivenKeys(file)](int, auto event, auto& value) mutable {
+      keys(event, value);
+      return true;
+    });
   } catch (const nlohmann::json::exception& error) {
     // "[json.exception.parse_error.101] parse error at line 3, column 7: syntax error while ..."
     // "[json.exception.out_of_range.406] number overflow parsing '1e999'"

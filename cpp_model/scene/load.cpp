@@ -6,7 +6,9 @@
 
 namespace castray {
 
-Scene load_scene(const std::filesystem::path& path) { return path.extension() == ".json" ? read_scene_file(path) : mesh_scene(path); }
+Scene load_scene(const std::filesystem::path& path, std::optional<FrameSize> size) {
+  return path.extension() == ".json" ? read_scene_file(path, size) : mesh_scene(path, size);
+}
 
 void save_scene(const Scene& scene, const std::filesystem::path& path) { write_file(path, scene_text(scene, path.parent_path())); }
 

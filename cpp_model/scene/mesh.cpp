@@ -5,19 +5,12 @@
 #include <cmath>
 
 #include "scene/text.hpp"
+#include "scene/vectors.hpp"
 
 namespace castray {
 namespace {
 
 constexpr double kLargest = 0x1p60;
-
-Vec3 unit_or_zero(const Vec3& v) {
-  // Scaled first: the square of a large component would overflow, that of a small one vanish.
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (largest == 0) return Vec3(0);
-  const Vec3 scaled = v / largest;
-  return scaled / std::sqrt(scaled.dot(scaled));
-}
 
 }  // namespace
 

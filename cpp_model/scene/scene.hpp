@@ -54,6 +54,11 @@ struct Camera {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
+struct FrameSize {
+  int width;
+  int height;
+};
+
 enum class PixelFormat : std::uint8_t { Rgba8 = PixelRgba8, Bgra8 = PixelBgra8 };
 
 inline constexpr int kMaxCheckerScale = (1 << CheckerInt) - 1;

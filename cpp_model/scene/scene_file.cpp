@@ -159,7 +159,7 @@ void read_spheres(const JsonValue& value, Scene& scene) {
   }
 }
 
-Scene read_scene(const nlohmann::json& json, const std::string& file, const std::filesystem::path& folder) {
+Scene read_scene(const nlohmann::json& json, const std::string& file, const std::filesystem::path& folder, std::optional<FrameSize> frame) {
   static const nlohmann::json nothing = nlohmann::json::object();
   Scene scene;
   scene.file = file;
@@ -172,9 +172,10 @@ Scene read_scene(const nlohmann::json& json, const std::string& file, const std:
     if (size.size() != 2) root["size"].fail("must be width and height");
     scene.width = size[0].whole(1, MaxFrameSize);
     scene.height = size[1].whole(1, MaxFrameSize);
-  } else {
+  } else if (!frame) {
     note_default(scene, "size", std::to_string(scene.width) + " x " + std::to_string(scene.height));
   }
+  if (frame) scene.width = frame->width, scene.height = frame->height;
   if (root.has("background")) scene.paint.background = colour(root["background"]);
   else note_default(scene, "background", hex(scene.paint.background));
   read_checker(root.has("checker") ? root["checker"] : JsonValue(nothing, file, "checker"), scene);
@@ -189,13 +190,13 @@ Scene read_scene(const nlohmann::json& json, const std::string& file, const std:
 
 }  // namespace
 
-Scene read_scene_file(const std::filesystem::path& path) {
-  return read_scene(parse_json(read_file(path), path.string()), path.string(), path.parent_path());
+Scene read_scene_file(const std::filesystem::path& path, std::optional<FrameSize> size) {
+  return read_scene(parse_json(read_file(path), path.string()), path.string(), path.parent_path(), size);
 }
 
-Scene mesh_scene(const std::filesystem::path& path) {
+Scene mesh_scene(const std::filesystem::path& path, std::optional<FrameSize> size) {
   const nlohmann::json json = {{"meshes", {{{"file", path.filename().string()}}}}};
-  return read_scene(json, path.string(), path.parent_path());
+  return read_scene(json, path.string(), path.parent_path(), size);
 }
 
 }  // namespace castray

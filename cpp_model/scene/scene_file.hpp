@@ -8,13 +8,16 @@
 // Files are relative to the scene file; a key that is not known is an error.
 #pragma once
 #include <filesystem>
+#include <optional>
 
 #include "scene/scene.hpp"
 
 namespace castray {
 
-Scene read_scene_file(const std::filesystem::path& path);  // throws SceneError
-Scene mesh_scene(const std::filesystem::path& path);       // the scene of one mesh, all else by default
-std::string scene_text(const Scene& scene, const std::filesystem::path& folder);  // mesh files relative to folder
+// Both throw SceneError. A size that is given stands in place of the scene's own.
+Scene read_scene_file(const std::filesystem::path& path, std::optional<FrameSize> size);
+Scene mesh_scene(const std::filesystem::path& path, std::optional<FrameSize> size);  // of one mesh, all else by default
+// Mesh files relative to folder. Throws SceneError if one has a name that JSON cannot hold.
+std::string scene_text(const Scene& scene, const std::filesystem::path& folder);
 
 }  // namespace castray

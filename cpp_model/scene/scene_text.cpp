@@ -18,9 +18,10 @@ std::string scene_text(const Scene& scene, const std::filesystem::path& folder) 
   json["checker"]["scale"] = scene.paint.checker_scale;
   json["pixel_format"] = kPixelFormats[static_cast<int>(scene.pixel_format)];
   json["meshes"] = nlohmann::ordered_json::array();
+  const auto from = std::filesystem::absolute(folder.empty() ? "." : folder).lexically_normal();
   for (const MeshSource& mesh : scene.meshes) {
     const auto absolute = std::filesystem::absolute(mesh.file).lexically_normal();
-    const auto relative = absolute.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+    const auto relative = absolute.lexically_relative(from);
     json["meshes"].push_back({{"file", (relative.empty() ? absolute : relative).generic_string()},
                               {"object_to_world", to_rows(mesh.object_to_world)},
                               {"material", kMaterials[static_cast<int>(mesh.material)]}});
@@ -30,7 +31,11 @@ std::string scene_text(const Scene& scene, const std::filesystem::path& folder) 
     json["spheres"].push_back({{"centre", {sphere.centre.x, sphere.centre.y, sphere.centre.z}},
                                {"radius", sphere.radius},
                                {"material", kMaterials[static_cast<int>(sphere.material)]}});
-  return json.dump(2) + "\n";
+  try {
+    return json.dump(2) + "\n";
+  } catch (const nlohmann::json::type_error&) {
+    throw SceneError(scene.file, "meshes", "a file name that is not UTF-8 cannot stand in a scene file");
+  }
 }
 
 }  // namespace castray

@@ -21,7 +21,7 @@ inline std::string counted(std::size_t n, const std::string& noun) {
 // Control characters become spaces, so that a message stays one line.
 inline std::string one_line(std::string text) {
   for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text;
 }

@@ -276,6 +276,16 @@ TEST_F(Compile, BadCameraMatrix) {
   Scene scene = small_scene();
   scene.camera.to_world[1][1] = INFINITY;
   EXPECT_EQ(error_of([&] { compile(scene, 1, 1); }), "s: camera: the matrix is not finite");
+  // An axis that rounds to zero beside the others, and two that round to the same.
+  const std::string singular = "s: camera: the matrix is singular in 30 fraction bits: its axes are too unequal or too nearly parallel";
+  scene.camera.to_world[1][1] = 1e-12;
+  EXPECT_EQ(error_of([&] { compile(scene, 1, 1); }), singular);
+  scene = small_scene();
+  scene.camera.to_world[1][0] = scene.camera.to_world[0][0];
+  scene.camera.to_world[1][1] = 1e-12;
+  EXPECT_EQ(error_of([&] { compile(scene, 1, 1); }), singular);
+  scene.camera.to_world[1][1] = 0x1p-29;
+  EXPECT_EQ(error_of([&] { compile(scene, 1, 1); }), "no error");
   scene.camera.field_of_view = 180;
   EXPECT_EQ(error_of([&] { compile(scene, 1, 1); }), "s: camera: field of view of 180 degrees is not between 0.01 and 179");
 }

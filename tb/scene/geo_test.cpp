@@ -150,6 +150,10 @@ TEST_F(Geo, CountThatDoesNotMatch) {
             "m.geo: normals and texture coordinates: 16 values follow the points; 15 are needed for 3 corners, and no other layout for "
             "1 face and 3 points has so many");
 }
+TEST_F(Geo, TwoSigns) {
+  EXPECT_EQ(error("1 3 0 1 +-2"), "m.geo: line 1, point of corner 2: '+-2' is not a whole number");
+  EXPECT_EQ(error("1 3 0 1 2\n0 0 0 1 0 0 0 +-1 0"), "m.geo: line 2, point 2: '+-1' is not a number");
+}
 TEST_F(Geo, NotANumber) { EXPECT_EQ(error("1 3 0 1 2\n0 0 0 1 0 0\n0 x 0"), "m.geo: line 3, point 2: 'x' is not a number"); }
 TEST_F(Geo, Nan) { EXPECT_EQ(error("1 3 0 1 2\n0 0 0 1 nan 0 0 1 0"), "m.geo: line 2, point 1: 'nan' is not a finite number"); }
 TEST_F(Geo, Infinite) { EXPECT_EQ(error("1 3 0 1 2\n0 0 0 1 0 0 0 1 -inf"), "m.geo: line 2, point 2: '-inf' is not a finite number"); }
