@@ -2,22 +2,32 @@
 #include "arguments.hpp"
 
 #include <bit>
+#include <charconv>
 #include <cstdio>
 #include <string_view>
 
 #include "scene/load.hpp"
+#include "scene/text.hpp"
 
 namespace castray::cli {
 namespace {
 
 // "320x240", each 1 to MaxFrameSize.
-void parse_size(const std::string& text, int& width, int& height) {
-  int end = 0;
-  const bool two = std::sscanf(text.c_str(), "%6dx%6d%n", &width, &height, &end) == 2;
-  if (!two || static_cast<std::size_t>(end) != text.size())
-    throw InputError("--size " + text + ": not of the form WIDTHxHEIGHT");
+FrameSize parse_size(const std::string& text) {
+  const auto numbers = parse_pair(text, 'x');
+  if (!numbers) throw InputError("--size " + text + ": not of the form WIDTHxHEIGHT");
+  const auto [width, height] = *numbers;
   if (width < 1 || width > MaxFrameSize || height < 1 || height > MaxFrameSize)
     throw InputError("--size " + text + ": width and height must be 1 to " + std::to_string(MaxFrameSize));
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+// CLI11 takes "-1" for the largest number there is.
+std::string whole_number(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
+  return whole ? "" : "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
 
 }  // namespace
@@ -30,17 +40,28 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
+std::optional<std::pair<std::uint64_t, std::uint64_t>> parse_pair(const std::string& text, char between) {
+  std::pair<std::uint64_t, std::uint64_t> numbers;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, numbers.first);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != between) return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, numbers.second);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  return numbers;
+}
+
 void SceneArguments::add_to(CLI::App& command) {
   command.add_option("scene", file, "a scene file (.json) or a mesh (.geo .obj .ply .stl .gltf .glb)")->required();
   command.add_option("--size", size, "the frame, WIDTHxHEIGHT; else the scene's own");
 }
 
 Scene SceneArguments::load() const {
-  Scene scene = load_scene(file);
-  if (!size.empty()) parse_size(size, scene.width, scene.height);
-  for (const std::string& line : scene.warnings) std::fprintf(stderr, "%s: warning: %s\n", file.c_str(), line.c_str());
-  for (const std::string& line : scene.defaults) std::fprintf(stderr, "%s: default: %s\n", file.c_str(), line.c_str());
-  return scene;
+  return load_scene(file, size ? std::optional(parse_size(*size)) : std::nullopt);
+}
+
+void SceneArguments::print_notes(const Scene& scene) const {
+  for (const std::string& line : scene.warnings) std::fprintf(stderr, "%s: warning: %s\n", one_line(file).c_str(), one_line(line).c_str());
+  for (const std::string& line : scene.defaults) std::fprintf(stderr, "%s: default: %s\n", one_line(file).c_str(), one_line(line).c_str());
 }
 
 void CoreArguments::add_to(CLI::App& command) {
@@ -54,7 +75,7 @@ void CoreArguments::add_to(CLI::App& command) {
   command.add_option("--stalls", stalls, "pattern of stalls on the five channels of the memory")
       ->check(CLI::IsMember(sim::Stalls::names()))->capture_default_str();
   command.add_flag("--reorder", reorder, "responses of different IDs overtake each other");
-  command.add_option("--seed", seed, "of stalls, order and registers without reset")->capture_default_str();
+  command.add_option("--seed", seed, "of stalls, order and registers without reset")->check(whole_number)->capture_default_str();
 }
 
 sim::RtlOptions CoreArguments::options() const {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Options that several commands take: which scene at which size, and on which core.
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "castray_records.hpp"
 #include "command.hpp"
@@ -13,14 +16,19 @@ namespace castray::cli {
 // A word as a shell reads it: in quotes where it needs them.
 std::string shell_word(const std::string& word);
 
+// Two whole numbers in decimal digits and what stands between them, "320x240"; nothing else.
+std::optional<std::pair<std::uint64_t, std::uint64_t>> parse_pair(const std::string& text, char between);
+
 struct SceneArguments {
   std::string file;
-  std::string size;  // empty: the scene's own
+  std::optional<std::string> size;  // none: the scene's own
 
   void add_to(CLI::App& command);
-  // Loads the scene, its width and height those asked for, and prints its warnings, and what was
-  // chosen where it left something open, to stderr.
+  // Loads the scene, its width and height those asked for.
   Scene load() const;
+  // Prints its warnings, and what was chosen where it left something open, to stderr: once nothing
+  // more can be refused, so that a refusal is one line.
+  void print_notes(const Scene& scene) const;
 };
 
 struct CoreArguments {

@@ -14,6 +14,7 @@ namespace {
 void info(const SceneArguments& arguments) {
   const Scene scene = arguments.load();
   const SceneImage image = compile(scene, scene.width, scene.height);
+  arguments.print_notes(scene);
   const auto line = [](const char* name, const std::string& text) { std::printf("  %-14s %s\n", name, text.c_str()); };
   std::printf("%s\n", arguments.file.c_str());
   if (!scene.description.empty()) line("", scene.description);

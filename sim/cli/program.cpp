@@ -8,6 +8,7 @@
 #include "driver.hpp"
 #include "picture.hpp"
 #include "scene/scene.hpp"
+#include "scene/text.hpp"
 
 namespace castray::cli {
 namespace {
@@ -18,8 +19,14 @@ constexpr const char* kFooter =
     "5 the core broke a rule of its bus, 6 an output cannot be written, 7 internal error.";
 
 int complain(ExitCode code, const char* what) {
-  std::fprintf(stderr, "castray: %s\n", what);
+  std::fprintf(stderr, "castray: %s\n", one_line(what).c_str());
   return code;
+}
+
+// What went to standard output has arrived, unless the command failed in any case.
+int flushed(int code) {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+  return code == kOk ? complain(kBadOutput, "standard output cannot be written") : code;
 }
 
 int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
@@ -44,7 +51,7 @@ int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
   } catch (const CLI::ParseError& e) {
     return complain(kBadInput, e.what());
   }
-  return context.code;
+  return flushed(context.code);
 }
 
 }  // namespace

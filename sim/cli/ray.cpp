@@ -7,6 +7,7 @@
 #include "driver.hpp"
 #include "error_text.hpp"
 #include "model_device.hpp"
+#include "outputs.hpp"
 #include "picture.hpp"
 #include "probe.hpp"
 #include "ray_sheet.hpp"
@@ -42,8 +43,9 @@ ExitCode ray(const Arguments& args, const sim::RunRtl& run_rtl) {
   if (args.x < 0 || args.x >= scene.width || args.y < 0 || args.y >= scene.height)
     throw InputError("pixel (" + std::to_string(args.x) + ", " + std::to_string(args.y) + ") is outside the frame of " +
                      std::to_string(scene.width) + "x" + std::to_string(scene.height));
-  if (!args.trace.empty()) sim::check_writable(args.trace);
+  check_outputs({{"--trace", args.trace, sim::check_writable}}, scene);
   const SceneImage image = compile(scene, scene.width, scene.height);
+  args.scene.print_notes(scene);
   const sim::RenderOptions options{true, false, sim::PixelWindow{args.x, args.y, args.x + 1, args.y + 1}};
 
   sim::ModelDevice model;
@@ -102,7 +104,7 @@ void add_ray(CLI::App& app, Context& context) {
   command->add_option("y", args->y, "row of the pixel, from the top")->required();
   args->core.add_to(*command);
   command->add_option("--trace", args->trace, "waveforms (FST) of the run");
-  command->add_option("--limit", args->limit, "items of a stage that are shown in full")->capture_default_str();
+  command->add_option("--limit", args->limit, "items of a stage that are shown in full")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->callback([args, &context] { context.code = ray(*args, context.run_rtl); });
 }
 

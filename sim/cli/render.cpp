@@ -9,6 +9,7 @@
 #include "comparison.hpp"
 #include "error_text.hpp"
 #include "frame_run.hpp"
+#include "outputs.hpp"
 #include "picture.hpp"
 #include "progress_bar.hpp"
 #include "reference/float32.hpp"
@@ -51,8 +52,10 @@ class Render {
       throw InputError("--trace: needs --trace-window, or --check, whose first pixel that differs is traced");
     if (!args_.trace.empty() && args_.engine != "rtl") throw InputError("--trace: only --engine rtl has waveforms");
     if (output().extension().empty()) throw InputError("--output " + output().string() + ": the suffix says which format");
-    for (const fs::path& file : {output(), fs::path(args_.aov), fs::path(args_.json), fs::path(args_.frame), fs::path(args_.hits), fs::path(args_.trace)})
-      if (!file.empty()) sim::check_writable(file);
+    check_outputs({{"--output", output(), sim::check_picture}, {"--aov", args_.aov, sim::check_aov},
+                   {"--json", args_.json, sim::check_writable}, {"--frame", args_.frame, sim::check_writable},
+                   {"--hits", args_.hits, sim::check_writable}, {"--save-scene", args_.save_scene, sim::check_writable},
+                   {"--trace", args_.trace, sim::check_writable}}, scene_);
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
     report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", "brute"},
                {"commit", kCommit}, {"width", scene_.width}, {"height", scene_.height},
@@ -84,6 +87,7 @@ class Render {
   // ---- RTL and model ----
   ExitCode on_device() {
     image_ = compile(scene_, scene_.width, scene_.height);
+    args_.scene.print_notes(scene_);
     for (const std::string& line : image_.warnings) std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
     ExitCode code = kOk;
     const sim::Rendering rendering = args_.engine == "rtl" ? on_rtl(code) : on_model();
@@ -131,13 +135,10 @@ class Render {
   }
 
   void set_window(sim::RtlOptions& device) const {
-    unsigned long long first = 0, last = 0;
-    int end = 0;
-    const bool two = std::sscanf(args_.trace_window.c_str(), "%llu:%llu%n", &first, &last, &end) == 2;
-    if (!two || static_cast<std::size_t>(end) != args_.trace_window.size() || first >= last)
+    const auto cycles = parse_pair(args_.trace_window, ':');
+    if (!cycles || cycles->first >= cycles->second)
       throw InputError("--trace-window " + args_.trace_window + ": not of the form FIRST:LAST, in cycles");
-    device.trace_first = first;
-    device.trace_last = last;
+    std::tie(device.trace_first, device.trace_last) = *cycles;
   }
 
   // ---- Comparisons ----
@@ -185,6 +186,7 @@ class Render {
 
   // ---- References ----
   ExitCode on_reference() {
+    args_.scene.print_notes(scene_);
     const auto start = std::chrono::steady_clock::now();
     ReferenceFrame frame;
     {

@@ -48,7 +48,7 @@ Json report_of(const sim::RtlRun& run, const sim::RtlOptions& options) {
 
 void write_json(const std::filesystem::path& file, const Json& json) {
   try {
-    write_file(file, json.dump(2) + "\n");
+    write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } catch (const SceneError& e) {
     throw sim::PictureError(e.what());
   }
