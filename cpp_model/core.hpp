@@ -24,6 +24,10 @@ struct WorkCounters {
   std::uint64_t rays = 0;
   std::uint64_t hits = 0;
   std::uint64_t candidates = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t tile_nodes = 0;   // read to start tiles
+  std::uint64_t empty_tiles = 0;  // filled with background
+  WorkCounters& operator+=(const WorkCounters& other);
   bool operator==(const WorkCounters&) const = default;
 };
 
@@ -47,8 +51,14 @@ struct RayTrace {
 // Called now and then with the share of pixels done, 0 to 1.
 using Progress = std::function<void(double)>;
 
-// Runs a job on `threads` threads (0: all). On an error nothing more is written.
-Outcome run_job(const job_t& job, const Windows& windows, const Progress& progress = {}, int threads = 0);
+struct RunOptions {
+  int tile_log2 = DefaultTileLog2;  // the work depends on it, the outcome does not
+  int threads = 0;                  // 0: all of the machine
+  Progress progress;
+};
+
+// Runs a job. On an error nothing more is written.
+Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options = {});
 
 // The stages of the ray through pixel (x, y). Throws std::runtime_error with the error code's
 // number if the job is refused.

@@ -5,6 +5,7 @@ rtl/pkg/castray_pkg.sv
 rtl/pkg/castray_image_pkg.sv
 rtl/pkg/castray_reg_pkg.sv
 rtl/prim/credit.sv
+rtl/prim/pair_fifo.sv
 rtl/prim/pipe_chain.sv
 rtl/prim/pipe_cut.sv
 rtl/prim/pipe_stage.sv
@@ -24,8 +25,8 @@ rtl/camera/ray_component.sv
 rtl/camera/ray_gen.sv
 rtl/camera/ray_setup.sv
 rtl/camera/slab_setup.sv
+rtl/camera/tile_pixels.sv
 rtl/camera/tile_walk.sv
-rtl/camera/ray_source.sv
 rtl/isect/accept.sv
 rtl/isect/corner_delta.sv
 rtl/isect/edge_fns.sv
@@ -34,6 +35,12 @@ rtl/isect/hit_norm.sv
 rtl/isect/hit_sphere.sv
 rtl/isect/hit_unit.sv
 rtl/isect/ray_prim.sv
+rtl/isect/slab_planes.sv
+rtl/isect/slab_limits.sv
+rtl/isect/slab_child.sv
+rtl/isect/slab_axis.sv
+rtl/isect/node_pipe.sv
+rtl/isect/node_order.sv
 rtl/isect/shear.sv
 rtl/isect/sphere_disc.sv
 rtl/traverse/brute_walk.sv
@@ -43,10 +50,20 @@ rtl/traverse/lane.sv
 rtl/traverse/leaf_tests.sv
 rtl/traverse/line_fetch.sv
 rtl/traverse/nearest.sv
+rtl/traverse/node_visits.sv
 rtl/traverse/prim_tests.sv
 rtl/traverse/ray_dispatch.sv
 rtl/traverse/ray_store.sv
 rtl/traverse/step.sv
+rtl/traverse/step_pair.sv
+rtl/traverse/frontier.sv
+rtl/traverse/node_parts.sv
+rtl/traverse/tile_bounds.sv
+rtl/traverse/tile_box.sv
+rtl/traverse/tile_deal.sv
+rtl/traverse/tile_node.sv
+rtl/traverse/tile_nodes.sv
+rtl/traverse/tile_start.sv
 rtl/shade/background.sv
 rtl/shade/dot3.sv
 rtl/shade/frame_paint.sv
@@ -70,6 +87,7 @@ rtl/mem/line_wake.sv
 rtl/mem/prim_reader.sv
 rtl/mem/tile_gather.sv
 rtl/mem/tile_rows.sv
+rtl/camera/ray_source.sv
 rtl/traverse/traversal.sv
 rtl/shade/shading.sv
 rtl/axi/axi_lite_regs.sv
@@ -77,5 +95,6 @@ rtl/axi/axi_reader.sv
 rtl/axi/axi_writer.sv
 rtl/axi/axi_ports.sv
 rtl/control/counters.sv
+rtl/control/lane_sums.sv
 rtl/control/job_control.sv
 rtl/castray_core.sv

@@ -17,7 +17,8 @@ module castray_core
   parameter int unsigned Contexts    = DefaultContexts,
   parameter int unsigned TileLog2    = DefaultTileLog2,
   parameter int unsigned AttrEntries = DefaultAttrEntries,
-  parameter int unsigned Ports       = DefaultPorts
+  parameter int unsigned Ports       = DefaultPorts,
+  parameter int unsigned L2Kbytes    = DefaultL2Kbytes
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
@@ -123,7 +124,9 @@ module castray_core
   logic [ReadClients-1:0]  read_valid, read_ready, rsp_valid;
   read_req_t               read_req [ReadClients];
   read_rsp_t               rsp [ReadClients];
-  logic [Ports-1:0]        read_beat;
+  logic [Ports-1:0]        line_valid, line_ready, line_rsp_valid, read_beat, l2_hit, l2_miss;
+  read_req_t               line_read [Ports];
+  read_rsp_t               line_rsp [Ports];
   logic [WriteClients-1:0] write_valid, write_ready;
   write_req_t              write_req [WriteClients];
   logic                    write_beat;
@@ -132,8 +135,8 @@ module castray_core
     .clk_i, .rst_ni,
     .read_valid_i(read_valid), .read_ready_o(read_ready), .read_i(read_req),
     .rsp_valid_o(rsp_valid), .rsp_o(rsp),
-    .line_valid_i('0), .line_ready_o(), .line_i('{default: '0}),
-    .line_rsp_valid_o(), .line_rsp_o(),
+    .line_valid_i(line_valid), .line_ready_o(line_ready), .line_i(line_read),
+    .line_rsp_valid_o(line_rsp_valid), .line_rsp_o(line_rsp),
     .write_valid_i(write_valid), .write_ready_o(write_ready), .write_i(write_req),
     .block_i(block), .read_idle_o(read_idle), .write_idle_o(write_idle),
     .read_error_o(read_error), .write_error_o(write_error),
@@ -147,6 +150,20 @@ module castray_core
     .m_axi_bresp_i
   );
 
+  // The caches of the lanes and, last, that of ray_source.
+  localparam int unsigned Caches = 2 * Lanes + 1;
+  logic [Caches-1:0] cache_valid, cache_ready, fill_valid, fill_ready;
+  line_req_t         cache_req [Caches];
+  line_fill_t        fill;
+
+  line_memory #(.Clients(Caches), .Ports(Ports), .L2Lines(L2Kbytes * 1024 / LineBytes)) u_line_memory (
+    .clk_i, .rst_ni(datapath_rst_n), .base_i(job.image), .hit_o(l2_hit), .miss_o(l2_miss),
+    .req_valid_i(cache_valid), .req_ready_o(cache_ready), .req_i(cache_req),
+    .fill_valid_o(fill_valid), .fill_ready_i(fill_ready), .fill_o(fill),
+    .read_valid_o(line_valid), .read_ready_i(line_ready), .read_o(line_read),
+    .rsp_valid_i(line_rsp_valid), .rsp_i(line_rsp)
+  );
+
   job_loader u_job_loader (
     .clk_i, .rst_ni(datapath_rst_n),
     .start_i(load_start), .job_i(job), .done_o(load_done), .error_o(load_error),
@@ -157,48 +174,84 @@ module castray_core
   );
 
   // ---- Camera ----
-  logic  tile_valid, tile_ready, none_in_setup, exhausted, ray_valid, ray_ready;
-  tile_t tile;
-  ray_t  ray;
+  logic         tile_valid, tile_ready, none_in_setup, exhausted, ray_valid, ray_ready, miss_valid, miss_ready;
+  logic         back_valid, back_ready, deal_valid, store_valid, store_second, tile_node, tile_hit, tile_miss;
+  logic [7:0]   back_slot, store_slot;
+  tile_t        tile;
+  ray_t         ray;
+  pixel_tag_t   miss;
+  started_t     deal;
+  lane_no_t     deal_lane;
+  node_t        store_node;
+  ref_t         root;
+  tree_t        tree;
+  error_t       source_fault, lane_fault;
+  logic [Lanes-1:0] left;
+
+  assign root = ref_t'(header.root);
+  assign tree = '{
+    limit: job.steps, primitives: header.primitives,
+    leaf_count: header.lines.count, leaf_base: line_no_t'(header.lines.offset / LineBytes),
+    node_count: header.nodes.count, node_base: line_no_t'(header.nodes.offset / LineBytes)
+  };
 
   frame_setup u_frame_setup (
     .clk_i, .rst_ni(datapath_rst_n),
     .start_i(setup_start), .record_i(record), .done_o(setup_done), .camera_o(camera)
   );
 
-  ray_source #(.TileLog2(TileLog2), .Slots(Slots)) u_ray_source (
+  ray_source #(.Lanes(Lanes), .TileLog2(TileLog2), .Slots(Slots)) u_ray_source (
     .clk_i, .rst_ni(datapath_rst_n),
-    .start_i(walk_start), .job_i(job), .camera_i(camera),
+    .start_i(walk_start), .job_i(job), .camera_i(camera), .root_i(root),
+    .nodes_i(tree.node_base), .node_count_i(tree.node_count), .fault_o(source_fault),
     .walk_done_o(walk_done), .none_in_setup_o(none_in_setup), .exhausted_o(exhausted),
     .tile_valid_o(tile_valid), .tile_ready_i(tile_ready), .tile_o(tile),
-    .out_valid_o(ray_valid), .out_ready_i(ray_ready), .out_o(ray)
+    .out_valid_o(ray_valid), .out_ready_i(ray_ready), .out_o(ray),
+    .miss_valid_o(miss_valid), .miss_ready_i(miss_ready), .miss_o(miss),
+    .fill_valid_o(back_valid), .fill_ready_i(back_ready), .fill_slot_o(back_slot),
+    .deal_valid_o(deal_valid), .deal_lane_o(deal_lane), .deal_o(deal), .left_i(left),
+    .store_valid_o(store_valid), .store_slot_o(store_slot), .store_second_o(store_second),
+    .store_node_o(store_node),
+    .req_valid_o(cache_valid[Caches-1]), .req_ready_i(cache_ready[Caches-1]), .req_o(cache_req[Caches-1]),
+    .fill_line_valid_i(fill_valid[Caches-1]), .fill_line_ready_o(fill_ready[Caches-1]), .fill_line_i(fill),
+    .node_o(tile_node), .node_hit_o(tile_hit), .node_miss_o(tile_miss)
   );
 
   // ---- Hits ----
-  logic [Lanes-1:0] test_event, ray_event, hit_event, cand_event;
+  logic [Lanes-1:0] ray_event, hit_event;
+  lane_events_t     lane_events [Lanes];
   logic             batch_event, test_stall, fetch_stall, attr_hit, attr_miss;
   logic             hit_valid, hit_ready, traversal_idle, coloured, shading_idle;
   hit_t             hit;
 
-  traversal #(.Lanes(Lanes), .Contexts(Contexts)) u_traversal (
+  traversal #(.Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2), .Slots(Slots)) u_traversal (
     .clk_i, .rst_ni(datapath_rst_n),
-    .lines_i(job.image + addr_t'(header.lines.offset)), .line_count_i(header.lines.count),
-    .primitives_i(header.primitives), .fault_o(fault),
+    .brute_i(job.brute), .tree_i(tree), .root_i(root),
+    .lines_i(job.image + addr_t'(header.lines.offset)), .fault_o(lane_fault),
     .exhausted_i(exhausted), .starved_i(tile_valid && !tile_ready && none_in_setup && coloured),
     .idle_o(traversal_idle),
+    .deal_valid_i(deal_valid), .deal_lane_i(deal_lane), .deal_i(deal), .left_o(left),
+    .store_valid_i(store_valid), .store_slot_i(store_slot), .store_second_i(store_second),
+    .store_node_i(store_node),
     .in_valid_i(ray_valid), .in_ready_o(ray_ready), .in_i(ray),
+    .miss_valid_i(miss_valid), .miss_ready_o(miss_ready), .miss_i(miss),
     .out_valid_o(hit_valid), .out_ready_i(hit_ready), .out_o(hit),
     .read_valid_o(read_valid[ReadPrimitive]), .read_ready_i(read_ready[ReadPrimitive]),
     .read_o(read_req[ReadPrimitive]), .rsp_valid_i(rsp_valid[ReadPrimitive]), .rsp_i(rsp[ReadPrimitive]),
-    .test_o(test_event), .ray_o(ray_event), .hit_o(hit_event), .cand_o(cand_event),
+    .line_valid_o(cache_valid[2*Lanes-1:0]), .line_ready_i(cache_ready[2*Lanes-1:0]),
+    .line_o(cache_req[0:2*Lanes-1]),
+    .fill_valid_i(fill_valid[2*Lanes-1:0]), .fill_ready_o(fill_ready[2*Lanes-1:0]), .fill_i(fill),
+    .events_o(lane_events), .ray_o(ray_event), .hit_o(hit_event),
     .batch_o(batch_event), .test_stall_o(test_stall), .fetch_stall_o(fetch_stall)
   );
+  assign fault = (source_fault != ErrNone) ? source_fault : lane_fault;
 
   shading #(.TileLog2(TileLog2), .Slots(Slots), .AttrEntries(AttrEntries)) u_shading (
     .clk_i, .rst_ni(datapath_rst_n),
     .job_i(job), .record_i(record), .eye_i(camera.eye),
     .attributes_i(job.image + addr_t'(header.attributes.offset)),
     .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
+    .fill_valid_i(back_valid), .fill_ready_o(back_ready), .fill_slot_i(back_slot),
     .in_valid_i(hit_valid), .in_ready_o(hit_ready), .in_i(hit),
     .read_valid_o(read_valid[ReadAttribute]), .read_ready_i(read_ready[ReadAttribute]),
     .read_o(read_req[ReadAttribute]), .rsp_valid_i(rsp_valid[ReadAttribute]), .rsp_i(rsp[ReadAttribute]),
@@ -211,12 +264,14 @@ module castray_core
   assign empty = traversal_idle && shading_idle;
 
   // ---- Counters ----
+  lane_sums_t           sums;
   logic [EventBits-1:0] events [Counters];
+  lane_sums #(.Lanes(Lanes)) u_lane_sums (.events_i(lane_events), .sums_o(sums));
   assign events[CntCycles]      = EventBits'(running);
-  assign events[CntTests]       = EventBits'(test_event);
+  assign events[CntTests]       = sums.test;
   assign events[CntRays]        = EventBits'(ray_event);
   assign events[CntHits]        = EventBits'(hit_event);
-  assign events[CntCandidates]  = EventBits'(cand_event);
+  assign events[CntCandidates]  = sums.cand;
   assign events[CntBatches]     = EventBits'(batch_event);
   assign events[CntTestStalls]  = EventBits'(test_stall);
   assign events[CntFetchStalls] = EventBits'(fetch_stall);
@@ -224,6 +279,20 @@ module castray_core
   assign events[CntAttrMisses]  = EventBits'(attr_miss);
   assign events[CntReadBeats]   = EventBits'(read_beat);
   assign events[CntWriteBeats]  = EventBits'(write_beat);
+  assign events[CntNodes]       = sums.node;
+  assign events[CntNodeHits]    = sums.node_hit;
+  assign events[CntNodeMisses]  = sums.node_miss;
+  assign events[CntLeafHits]    = sums.leaf_hit;
+  assign events[CntLeafMisses]  = sums.leaf_miss;
+  assign events[CntNodeWaits]   = sums.node_wait;
+  assign events[CntLeafWaits]   = sums.leaf_wait;
+  assign events[CntTestWaits]   = sums.test_wait;
+  assign events[CntL2Hits]      = EventBits'(l2_hit);
+  assign events[CntL2Misses]    = EventBits'(l2_miss);
+  assign events[CntTileNodes]   = EventBits'(tile_node);
+  assign events[CntTileHits]    = EventBits'(tile_hit);
+  assign events[CntTileMisses]  = EventBits'(tile_miss);
+  assign events[CntEmptyTiles]  = EventBits'(back_valid && back_ready);
 
   counters u_counters (.clk_i, .rst_ni, .clear_i(start), .events_i(events), .counts_o(counts));
 endmodule

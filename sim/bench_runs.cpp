@@ -40,6 +40,7 @@ Json rtl_run(const Frame& frame, const Core& core) {
   device.timing.reorder = core.stalls != "none";
   sim::RenderOptions options;
   options.hits = core.hits;
+  options.mode = sim::Mode::kBrute;
   options.z_order = core.z_order;
   const sim::RtlRun run = sim::run_rtl(image, device, options);
   const sim::Rendering model = sim::run_model(image, options, {}, 1);
@@ -128,7 +129,7 @@ Json host_run(const Frame& frame, double field_of_view) {
   record["threads"] = 1;
   record["float64_seconds"] = seconds_of([&] { trace_float64(scene, frame.width, frame.height, 1); });
   record["float32_seconds"] = seconds_of([&] { trace_float32(scene, frame.width, frame.height, 1); });
-  record["fixed_seconds"] = seconds_of([&] { sim::run_model(image, {}, {}, 1); });
+  record["fixed_seconds"] = seconds_of([&] { sim::run_model(image, {.mode = sim::Mode::kBrute}, {}, 1); });
   return record;
 }
 

@@ -24,9 +24,16 @@ struct PixelWindow {
   int y1 = 0;
 };
 
+// How the primitives that a ray meets are found: in the hierarchy, from the start of its tile or from
+// the root, or by testing all.
+enum class Mode { kBvh, kBvhRoot, kBrute };
+inline constexpr std::array<const char*, 3> kModeNames{"bvh", "bvh_root", "brute"};
+
 struct RenderOptions {
   bool hits = true;
   bool z_order = false;
+  Mode mode = Mode::kBvh;
+  std::uint32_t steps = 0;            // nodes that a ray may visit; 0: no limit
   std::optional<PixelWindow> window;  // none: the whole frame
 };
 

@@ -72,12 +72,15 @@ void ModelDevice::run(const Progress& progress) {
   const auto on_progress = [&](double fraction) {
     if (progress) progress(fraction, 0);
   };
-  const Outcome outcome = run_job(job, windows, on_progress, threads_);
+  const Outcome outcome = run_job(job, windows, {tile_log2_, threads_, on_progress});
   error_ = outcome.error;
   counts_[CntTests] = outcome.counters.tests;
   counts_[CntRays] = outcome.counters.rays;
   counts_[CntHits] = outcome.counters.hits;
   counts_[CntCandidates] = outcome.counters.candidates;
+  counts_[CntNodes] = outcome.counters.nodes;
+  counts_[CntTileNodes] = outcome.counters.tile_nodes;
+  counts_[CntEmptyTiles] = outcome.counters.empty_tiles;
 }
 
 Wait ModelDevice::wait_interrupt(const Progress& progress) {

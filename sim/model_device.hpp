@@ -12,8 +12,9 @@ namespace castray::sim {
 
 class ModelDevice final : public Device {
  public:
-  // threads == 0: all of the machine.
-  explicit ModelDevice(int threads = 0) : threads_(threads) {}
+  // threads == 0: all of the machine. The counters of work are those of a core with tiles of
+  // 2^tile_log2 pixels a side.
+  explicit ModelDevice(int threads = 0, int tile_log2 = DefaultTileLog2) : threads_(threads), tile_log2_(tile_log2) {}
 
   std::string description() const override { return "bit-accurate model"; }
   Buffer allocate(std::uint64_t bytes) override { return storage_.allocate(bytes); }
@@ -34,6 +35,7 @@ class ModelDevice final : public Device {
   void run(const Progress& progress);
 
   int threads_;
+  int tile_log2_;
   Storage storage_;
   std::map<unsigned, std::uint32_t> registers_;  // arguments, and what they read back as
   bool wanted_ = false;

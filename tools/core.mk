@@ -16,8 +16,8 @@ $(BUILD)/lint/sim.ok: $(CORE_RTL) tools/waivers.vlt
 
 # The variant that is built with assertions: every stream's contract is checked while it runs.
 CORES_CHECKED := l1c32t3p1m0
-# Parameters of a variant by its name: l3c32t3p2m128 -> -GLanes=3 -GContexts=32 -GTileLog2=3 -GPorts=2
-core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts=,$(wordlist 1,4,$(subst l,,$(subst m, ,$(subst p, ,$(subst t, ,$(subst c, ,$(1))))))))
+# Parameters of a variant by its name: l3c32t3p2m128 -> -GLanes=3 -GContexts=32 -GTileLog2=3 -GPorts=2 -GL2Kbytes=128
+core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts= -GL2Kbytes=,$(wordlist 1,5,$(subst l,,$(subst m, ,$(subst p, ,$(subst t, ,$(subst c, ,$(1))))))))
 
 # The waveform writer first and with -O1: it is two thirds of the code and seldom runs. OPT_FAST,
 # because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.

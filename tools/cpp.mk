@@ -24,7 +24,8 @@ TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
 # tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated
 # model; a comment line "// Verilator: <flags>" in the test adds flags. Else it is a test of C++ only.
 # The models of units are headers; only the tests of scenes and references are linked to the
-# library. Those of the simulator and of whole frames: tools/core.mk.
+# library, and those of units that say "// Links the library." Those of the simulator and of whole
+# frames: tools/core.mk.
 TESTS       := $(shell find tb -name '*_test.cpp' | sort)
 UNIT_TESTS  := $(foreach t,$(TESTS),$(if $(wildcard $(t:tb/%_test.cpp=rtl/%.sv) $(t:%_test.cpp=%_tb.sv)),$(t)))
 SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
@@ -37,9 +38,10 @@ $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard 
 -include $(BUILD)/unit/$(1)/V$(notdir $(1))__ver.d
 $(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a $(VERILATED_OBJ) $(RECORDS)
 	@echo "  TEST  $(1)"
-	@$(CXX) $(CXXFLAGS) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/unit/$(1) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS)
+	@$(CXX) $(CXXFLAGS) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/unit/$(1) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
 endef
 $(foreach t,$(UNIT_TESTS),$(eval $(call unit_test,$(t:tb/%_test.cpp=%))))
+$(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(shell grep -l '^// Links the library.' $(UNIT_TESTS))): $(LIB)
 
 LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,scene reference)),$(MODEL_TESTS))
 $(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)

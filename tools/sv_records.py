@@ -28,7 +28,7 @@ class Packages:
         text = re.sub(r"\$clog2\(", "clog2(", text)
         text = text.replace("/", "//")
         scope = dict(self.constants, clog2=lambda n: (n - 1).bit_length())
-        return eval(text, {"__builtins__": {}}, scope)  # expressions of our own sources only
+        return eval(f"({text})", {"__builtins__": {}}, scope)  # expressions of our own sources only
 
     def width(self, text):
         """(width, signed, fields) of a type written in place: logic, logic [..], or a name."""

@@ -33,9 +33,13 @@ template <class Read> job_t job_of_registers(Read&& read) {
   job.y1 = max == 0 ? high(size) : high(max);
   job.want_hits = (options >> OptionHits) & 1;
   job.z_order = (options >> OptionZOrder) & 1;
+  job.brute = (options >> OptionBrute) & 1;
+  job.from_root = (options >> OptionRoot) & 1;
+  const std::uint64_t steps = word(RegSteps), most_steps = (std::uint64_t{1} << steps_t_bits) - 1;
+  job.steps = steps == 0 ? most_steps : steps & most_steps;
 
-  const std::uint64_t known = (std::uint64_t{1} << OptionHits) | (std::uint64_t{1} << OptionZOrder);
-  job.illegal = ((size | min | max) & ~(extent | extent << 16)) != 0 || (options & ~known) != 0 || pointer(RegImage) > address ||
+  job.illegal = ((size | min | max) & ~(extent | extent << 16)) != 0 || options >> NumOptions != 0 ||
+                steps > most_steps || pointer(RegImage) > address ||
                 pointer(RegFrame) > address || (job.want_hits && pointer(RegHits) > address);
   return job;
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors rtl/traverse/lane.sv: the nearest of the primitives that a ray meets.
+// Mirrors rtl/traverse/lane.sv: the nearest of the primitives that a ray meets, found in one of two ways.
 #pragma once
 #include <vector>
 
+#include "traverse/leaf_tests.hpp"
+#include "traverse/node_visits.hpp"
 #include "traverse/prim_tests.hpp"
+#include "traverse/step.hpp"
 
 namespace castray {
 
@@ -24,7 +27,7 @@ inline hit_t hit_of(const ray_t& ray, const Nearest& nearest) {
   return hit;
 }
 
-// Adds the tests that the ray makes to `tests`. accepted(cand, result) is told of each
+// By brute force. Adds the tests that the ray makes to `tests`. accepted(cand, result) is told of each
 // primitive that the exact test accepts; `result` is null where it lies before tmin.
 template <class Accepted>
 hit_t lane(const ray_t& ray, const std::vector<prim_slot_t>& slots, std::uint64_t& tests, Accepted&& accepted) {
@@ -33,6 +36,51 @@ hit_t lane(const ray_t& ray, const std::vector<prim_slot_t>& slots, std::uint64_
     if (ray.valid && slot.number != ray.ignore) prims.test(slot, accepted);
   tests += prims.tests();
   return hit_of(ray, prims.nearest());
+}
+
+// What the hierarchy reads: the scene image, and the nodes of a tile's frontier.
+struct Tree {
+  const std::uint8_t* image;
+  const image_header_t* header;
+  steps_t limit;                     // nodes that a ray may visit
+  std::span<const node_t> tile = {};
+  int stack_depth = kStackDepth;
+
+  start_t root() const {
+    start_t start;
+    start.first.kind = header->root >> LineW;
+    start.first.index = header->root & ((std::uint64_t{1} << LineW) - 1);
+    return start;
+  }
+};
+
+struct TreeHit {
+  hit_t hit;       // meaningless with an error
+  work_t work;
+  error_t error = ErrNone;
+};
+
+// Through the hierarchy, from `start` on.
+template <class Accepted> TreeHit lane(const ray_t& ray, const Tree& tree, const start_t& start, Accepted&& accepted) {
+  const slab_ray_t slab_ray = slab_ray_of(ray);
+  PrimTests prims(ray);
+  Step step(tree.limit, tree.stack_depth);
+  visits_t visits = visits_of(ray.valid ? start : start_t{});
+  error_t error = ErrNone;
+  while (error == ErrNone) {
+    const t_t t = prims.nearest().best().t;
+    const Step::Next next = step.next(visits, dist_of(t), ray.any_hit && prims.nearest().found());
+    error = step.error();
+    if (next != Step::Next::Visit) break;
+    const ref_t target = step.target();
+    visits = {};
+    if (target.kind == static_cast<std::uint64_t>(RefLeaf))
+      error = leaf_tests(tree.image, *tree.header, target.index, ray.ignore,
+                         [&](const prim_slot_t& slot) { prims.test(slot, accepted); });
+    else
+      error = node_visits(tree.image, *tree.header, tree.tile, target, slab_ray, t, visits);
+  }
+  return {hit_of(ray, prims.nearest()), {.nodes = step.nodes(), .tests = prims.tests()}, error};
 }
 
 }  // namespace castray

@@ -99,7 +99,7 @@ module axi_lite_regs
 
   // ---- Arguments: 32-bit words, two for a pointer ----
   typedef struct packed {
-    logic [31:0] window_max, window_min, options, frame_size, hits_bytes, frame_bytes, image_bytes;
+    logic [31:0] steps, window_max, window_min, options, frame_size, hits_bytes, frame_bytes, image_bytes;
     logic [63:0] hits, frame, image;
   } args_t;
   args_t args_q;
@@ -126,6 +126,7 @@ module axi_lite_regs
         number(RegOptions):    args_q.options      <= merge(args_q.options, wdata_q, wstrb_q);
         number(RegWindowMin):  args_q.window_min   <= merge(args_q.window_min, wdata_q, wstrb_q);
         number(RegWindowMax):  args_q.window_max   <= merge(args_q.window_max, wdata_q, wstrb_q);
+        number(RegSteps):      args_q.steps        <= merge(args_q.steps, wdata_q, wstrb_q);
         default: ;
       endcase
     end
@@ -140,10 +141,9 @@ module axi_lite_regs
   endfunction
 
   function automatic job_t job_of(args_t args);
-    logic [31:0] pairs, known, window_max;
+    logic [31:0] pairs, window_max;
     window_max = (args.window_max == '0) ? args.frame_size : args.window_max;
     pairs      = args.frame_size | args.window_min | args.window_max;
-    known      = (32'd1 << OptionHits) | (32'd1 << OptionZOrder);
     return '{
       image:       args.image[AddrW-1:0],
       frame:       args.frame[AddrW-1:0],
@@ -159,7 +159,11 @@ module axi_lite_regs
       y1:          high_of(window_max),
       want_hits:   args.options[OptionHits],
       z_order:     args.options[OptionZOrder],
-      illegal:     (pairs[15:0] >> $bits(extent_t)) != '0 || (pairs[31:16] >> $bits(extent_t)) != '0 || (args.options & ~known) != '0 ||
+      brute:       args.options[OptionBrute],
+      from_root:   args.options[OptionRoot],
+      steps:       (args.steps == '0) ? '1 : steps_t'(args.steps),
+      illegal:     (pairs[15:0] >> $bits(extent_t)) != '0 || (pairs[31:16] >> $bits(extent_t)) != '0 ||
+                   (args.options >> NumOptions) != '0 || (args.steps >> $bits(steps_t)) != '0 ||
                    args.image[63:AddrW] != '0 || args.frame[63:AddrW] != '0 ||
                    (args.options[OptionHits] && args.hits[63:AddrW] != '0)
     };
@@ -276,6 +280,7 @@ module axi_lite_regs
         number(RegOptions):    rdata_q <= args_q.options;
         number(RegWindowMin):  rdata_q <= args_q.window_min;
         number(RegWindowMax):  rdata_q <= args_q.window_max;
+        number(RegSteps):      rdata_q <= args_q.steps;
         number(RegVersion):    rdata_q <= Version;
         number(RegConfig):     rdata_q <= Config;
         number(RegParameters): rdata_q <= castray_image_pkg::ImageParameters;

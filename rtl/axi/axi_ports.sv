@@ -9,7 +9,7 @@ module axi_ports
   import castray_pkg::*;
 #(
   parameter int unsigned Ports    = DefaultPorts,
-  parameter int unsigned MaxReads = 32   // bursts outstanding on each port
+  parameter int unsigned MaxReads = 48   // bursts outstanding on each port
 ) (
   input  logic                    clk_i,
   input  logic                    rst_ni,

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks over the pixels of a window in tiles: asks the gather for a place for each tile, and when
-// that is granted gives the tile's pixels row by row.
+// Walks over a window in tiles: asks the gather for a place for each tile, and when that is granted
+// gives the tile out.
 //   Tiles are cut by the frame's grid of 2^TileLog2 pixels and clipped to the window.
 //   Rows: left to right, top to bottom. Z order: column and row of a tile, counted from the
 //   window's first, are the even and the odd bits of a code that counts up; codes outside the
 //   window are skipped, a whole aligned block at a time (code + its lowest one), so that two
 //   tiles are at most 20 skips apart: each skip's lowest one is above the last one's.
 //   Slots: 0 to Slots-1 in turn.
-// One pixel a cycle, without a pause between tiles of 2 pixels and more (in rows).
-// done_o: a level, from after the last pixel was taken until the next start.
+// A tile every two cycles (in rows).
+// done_o: a level, from after the last tile was taken until the next start.
 // An empty window is done at once. Model: cpp_model/camera/tile_walk.hpp, same order.
 module tile_walk
   import castray_cfg_pkg::*;
@@ -30,7 +30,7 @@ module tile_walk
 
   output logic       out_valid_o,
   input  logic       out_ready_i,
-  output pixel_tag_t out_o
+  output tile_t      out_o
 );
   if (TileLog2 < 2 || TileLog2 > 4) begin : g_tile
     $error("tile_walk: TileLog2 must be 2, 3 or 4");
@@ -132,56 +132,21 @@ module tile_walk
     end
   end
 
-  // ---- The granted tile waits until the one before has given its pixels ----
-  tile_t wait_tile;
-  logic  wait_valid, next;
-  logic  unused_ready;  // only an empty place is offered a tile
-  assign tile_valid_o = tile_valid_q && !wait_valid;
+  // ---- The granted tile waits to be taken ----
+  logic unused_ready;  // only an empty place is offered a tile
+  assign tile_valid_o = tile_valid_q && !out_valid_o;
   assign tile_o       = tile_q;
   assign granted      = tile_valid_o && tile_ready_i;
   pipe_stage #(.data_t(tile_t)) u_wait (
     .clk_i, .rst_ni(rst_ni && !start_i),
     .valid_i(granted), .ready_o(unused_ready), .data_i(tile_q),
-    .valid_o(wait_valid), .ready_i(next), .data_o(wait_tile)
+    .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o)
   );
-
-  // ---- Its pixels ----
-  logic       active_q, last_x, last_y;
-  pixel_tag_t pixel_q;
-  pixel_t     first_x_q;
-  logic [4:0] width_q, left_x_q, left_y_q;   // left: pixels and rows to come behind this one
-
-  assign last_x      = left_x_q == '0;
-  assign last_y      = left_y_q == '0;
-  assign next        = !active_q || (out_ready_i && last_x && last_y);
-  assign out_valid_o = active_q;
-  assign out_o       = pixel_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni || start_i) active_q <= 1'b0;
-    else if (next) active_q <= wait_valid;
-  end
-  always_ff @(posedge clk_i) begin
-    if (next && wait_valid) begin
-      first_x_q <= wait_tile.x;
-      width_q   <= wait_tile.width;
-      pixel_q   <= '{slot: wait_tile.slot, y: wait_tile.y, x: wait_tile.x};
-      left_x_q  <= wait_tile.width - 1'b1;
-      left_y_q  <= wait_tile.height - 1'b1;
-    end else if (active_q && out_ready_i) begin
-      pixel_q.x <= last_x ? first_x_q : pixel_q.x + 1'b1;
-      left_x_q  <= last_x ? width_q - 1'b1 : left_x_q - 1'b1;
-      if (last_x) begin
-        pixel_q.y <= pixel_q.y + 1'b1;
-        left_y_q  <= left_y_q - 1'b1;
-      end
-    end
-  end
 
   logic started_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) started_q <= 1'b0;
     else if (start_i) started_q <= 1'b1;
   end
-  assign done_o = started_q && ended_q && !tile_valid_q && !wait_valid && !active_q;
+  assign done_o = started_q && ended_q && !tile_valid_q && !out_valid_o;
 endmodule

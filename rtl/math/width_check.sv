@@ -22,16 +22,22 @@ module width_check
   if (ShearDivW < ShearFrac + 2 || ShearDivW > DirFrac + 3) begin : g_shear_div
     $error("castray_cfg_pkg: ShearDivW is %0d, it must be ShearFrac + 2 to DirFrac + 3", ShearDivW);
   end
+  if (SubPlane < 2 || SubPlane > 6) begin : g_sub_plane
+    $error("castray_cfg_pkg: SubPlane is %0d, it must be 2 to 6", SubPlane);
+  end
   if (NormFrac != ShearFrac - 2) begin : g_norm
     $error("castray_cfg_pkg: NormFrac is %0d, it must be ShearFrac - 2", NormFrac);
   end
-  if (DirFrac != 42 || UnitFrac != 16 || RootRadW != 26 || RootFrac != 5 || SpanW != 29 || RecipW != 17 || DistW != 12) begin : g_fixed
-    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootRadW, RootFrac, SpanW, RecipW, DistW are fixed: 42, 16, 26, 5, 29, 17, 12");
+  if (DirFrac != 42 || UnitFrac != 16 || RootRadW != 26 || RootFrac != 5 || SpanW != 29) begin : g_fixed
+    $error("castray_cfg_pkg: DirFrac, UnitFrac, RootRadW, RootFrac, SpanW are fixed: 42, 16, 26, 5, 29");
+  end
+  if (RecipW != 17 || DistW != 12 || DistFrac != 2) begin : g_boxes
+    $error("castray_cfg_pkg: RecipW, DistW, DistFrac are fixed: 17, 12, 2");
   end
   if (CoordFieldW != 26 || PrimW != 21 || LineW != 22 || PixelW != 12) begin : g_fields
     $error("castray_cfg_pkg: CoordFieldW, PrimW, LineW, PixelW are fixed: 26, 21, 22, 12");
   end
-  if (ScaleFrac != 44 || RotFrac != 30 || CheckerInt != 10 || CheckerFrac != 8 || TexInt != 11) begin : g_frame
-    $error("castray_cfg_pkg: ScaleFrac, RotFrac, CheckerInt, CheckerFrac, TexInt are fixed: 44, 30, 10, 8, 11");
+  if (ScaleFrac != 44 || RotFrac != 30 || CheckerInt != 10 || CheckerFrac != 8) begin : g_frame
+    $error("castray_cfg_pkg: ScaleFrac, RotFrac, CheckerInt, CheckerFrac are fixed: 44, 30, 10, 8");
   end
 endmodule

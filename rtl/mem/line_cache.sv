@@ -55,11 +55,11 @@ module line_cache
   typedef logic [SetW-1:0]      set_t;
   typedef logic [TagW-1:0]      tag_t;
   typedef logic [SetW+WayW-1:0] place_t;
-  function automatic set_t set_of(line_no_t line);
-    return line[Skip +: SetW];
+  function automatic set_t set_of(line_no_t number);
+    return number[Skip +: SetW];
   endfunction
-  function automatic tag_t tag_of(line_no_t line);
-    return line[Skip+SetW +: TagW];
+  function automatic tag_t tag_of(line_no_t number);
+    return number[Skip+SetW +: TagW];
   endfunction
 
   // ---- Look ----

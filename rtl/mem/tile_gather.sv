@@ -4,8 +4,9 @@
 //   request  a tile takes its slot, below Slots, as soon as that is free
 //   pixels   always taken, one a cycle, each to its place in the slot's part of the memory: four
 //            banks, so that four pixels are read at once. A slot's count says when it is complete
+//   fill     a tile of one colour is complete without a pixel
 //   queue    complete tiles wait for their rows to be written; then the slot is free again
-// Each pixel of a requested tile comes once, and after its request; nothing else comes.
+// Each pixel of a requested tile comes once, and after its request, or it is filled; nothing else comes.
 // The model of the whole frame writes pixels one by one; this unit has no arithmetic of its own.
 module tile_gather
   import castray_cfg_pkg::*;
@@ -28,6 +29,11 @@ module tile_gather
   input  logic        in_valid_i,
   output logic        in_ready_o,
   input  shaded_t     in_i,
+
+  input  logic        fill_valid_i,
+  output logic        fill_ready_o,
+  input  logic [7:0]  fill_slot_i,
+  input  logic [31:0] fill_colour_i, // stands still
 
   output logic        out_valid_o,
   input  logic        out_ready_i,
@@ -109,22 +115,32 @@ module tile_gather
   end
 
   // ---- Complete tiles ----
-  slot_t      next;
-  logic       queue_ready, next_valid, next_ready;
+  typedef struct packed {
+    logic  fill;
+    slot_t slot;
+  } complete_t;
+  complete_t  next;
+  logic       queue_ready, next_valid, next_ready, fill_q;
   logic [7:0] read_slot;
   logic [3:0] read_row;
   logic [1:0] read_beat;
-  stream_fifo #(.data_t(slot_t), .Depth((Slots > 1) ? Slots : 2)) u_complete (
+  assign fill_ready_o = !complete;
+  stream_fifo #(.data_t(complete_t), .Depth((Slots > 1) ? Slots : 2)) u_complete (
     .clk_i, .rst_ni,
-    .valid_i(complete), .ready_o(queue_ready), .data_i(slot),
+    .valid_i(complete || fill_valid_i), .ready_o(queue_ready),
+    .data_i('{fill: !complete, slot: complete ? slot : slot_t'(fill_slot_i)}),
     .valid_o(next_valid), .ready_i(next_ready), .data_o(next), .used_o()
   );
   tile_rows #(.TileLog2(TileLog2)) u_rows (
     .clk_i, .rst_ni, .base_i, .stride_i,
-    .tile_valid_i(next_valid), .tile_ready_o(next_ready), .tile_i(tile_q[next]),
-    .read_o(read), .slot_o(read_slot), .row_o(read_row), .beat_o(read_beat), .beat_i(beat),
+    .tile_valid_i(next_valid), .tile_ready_o(next_ready), .tile_i(tile_q[next.slot]),
+    .read_o(read), .slot_o(read_slot), .row_o(read_row), .beat_o(read_beat),
+    .beat_i(fill_q ? {Banks{fill_colour_i}} : beat),
     .out_valid_o, .out_ready_i, .out_o, .done_o(free)
   );
+  always_ff @(posedge clk_i) begin
+    if (next_valid && next_ready) fill_q <= next.fill;
+  end
   assign freed   = slot_t'(read_slot);
   assign read_at = place_of(freed, read_row, read_beat);
 

@@ -28,6 +28,12 @@ package castray_cfg_pkg;
   localparam int unsigned RecipW = 17;
   // Bits of a distance kept with a child that waits. Fixed: three such children fill a stack's frame.
   localparam int unsigned DistW = 12;
+  // Fraction bits of it while it is computed. Fixed.
+  localparam int unsigned DistFrac = 2;
+  // A tick is this power of two below the spacing of a node's planes across the dominant axis. 2 to 6.
+  localparam int unsigned SubPlane = 3;
+  // Steps by which a hit may lie before or behind its box along the ray, docs/number-formats.md.
+  localparam int unsigned BoxMargin = ((1 << (CoordW + 1)) >> BaryFrac) + 1;
   // Fraction bits of 1 + Sx^2 + Sy^2: without its top bit it is a shear of as many bits as another.
   localparam int unsigned NormFrac = ShearFrac - 2;
   // Fraction bits of a unit normal, a weight and a facing ratio. Fixed.
@@ -75,9 +81,16 @@ package castray_cfg_pkg;
   localparam int unsigned DefaultAttrEntries = 128;  // places of the attribute cache
   localparam int unsigned DefaultAttrMisses  = 16;   // its lines outstanding
 
-  // Tiles in flight: those of all contexts, and some to walk ahead and to write behind.
-  localparam int unsigned SpareSlots = 4;
+  // Rays that wait before a lane: one tile's, and enough to bridge the setup of the next.
+  function automatic int unsigned ray_queue(int unsigned tile_log2);
+    return (tile_log2 < 3) ? 64 : 1 << (2 * tile_log2);
+  endfunction
+
+  // Tiles in flight: those whose rays are in the lanes and before them, and some to start ahead and
+  // to write behind.
+  localparam int unsigned StartTiles = 8;   // whose start is sought at once: a power of two
+  localparam int unsigned SpareSlots = StartTiles + 6;
   function automatic int unsigned tile_slots(int unsigned lanes, int unsigned contexts, int unsigned tile_log2);
-    return ((lanes * contexts - 1) >> (2 * tile_log2)) + 1 + SpareSlots;
+    return ((lanes * (contexts + ray_queue(tile_log2)) - 1) >> (2 * tile_log2)) + 1 + lanes + SpareSlots;
   endfunction
 endpackage

@@ -138,6 +138,11 @@ package castray_pkg;
     t_t     tmin;
   } slab_ray_t;
 
+  // Positions along a ray in ticks from the first of a node's planes across the dominant axis: of one
+  // inside the node, and of a plane across another axis, in ticks of its own.
+  typedef logic [SubPlane+7:0]         tick_t;
+  typedef logic signed [SubPlane+12:0] slab_t;
+
   // A child still to be visited, and the least t of what its box holds, margin included: the child
   // may be dropped if that is greater than the upper bits of the nearest t.
   typedef struct packed {
@@ -158,6 +163,39 @@ package castray_pkg;
 
   // Children left behind on a ray's stack, near to far; RefNone ends them.
   typedef struct packed { entry_t e2, e1, e0; } frame_t;
+
+  // ---- Tiles ----
+  localparam int unsigned TileSlopeFrac = 16;
+  typedef logic signed [TileSlopeFrac+1:0] tile_slope_t;   // Q2.16, a component of a direction along the ray
+  // What dx/dt and dy/dt of a tile's rays lie between, t along their common dominant axis.
+  typedef struct packed {
+    logic        valid;   // they have one, and its sign
+    axis_t       axis;
+    logic        neg;
+    tile_slope_t x_low, x_high;
+    tile_slope_t y_low, y_high;
+  } tile_bounds_t;
+
+  // A box, both corners included.
+  typedef struct packed { point_t high, low; } box_t;
+
+  // A part of the scene that some ray of a tile may meet.
+  typedef struct packed {
+    box_t box;
+    ref_t target;
+  } part_t;
+  localparam int unsigned TileParts = 8;   // of a tile's frontier, at most: two nodes
+
+  // How a tile's rays start: nowhere, at the root, or at its frontier of one node or two.
+  localparam logic [1:0] TileEmpty = 2'd0;
+  localparam logic [1:0] TileRoot  = 2'd1;
+  localparam logic [1:0] TileOne   = 2'd2;
+  localparam logic [1:0] TileTwo   = 2'd3;
+  typedef struct packed {
+    logic [1:0] start;
+    tile_t      tile;
+  } started_t;
+  typedef logic [2:0] lane_no_t;
 
   // What was done for a ray: the nodes it visited, and its tests, at most eight for each node.
   typedef logic [23:0] steps_t;
@@ -302,6 +340,37 @@ package castray_pkg;
   localparam int unsigned WritePixel   = 0;
   localparam int unsigned WriteHit     = 1;
 
+  // What the lanes need to know of an image's hierarchy.
+  typedef struct packed {
+    steps_t      limit;        // nodes that a ray may visit
+    logic [31:0] primitives;   // numbers are below it
+    logic [31:0] leaf_count;
+    line_no_t    leaf_base;
+    logic [31:0] node_count;
+    line_no_t    node_base;
+  } tree_t;
+
+  // What a lane did in a cycle, for the counters.
+  typedef struct packed {
+    logic node;        // a node was tested
+    logic test;        // a primitive was tested
+    logic cand;        // a test was accepted
+    logic node_hit;    // lookups of the caches
+    logic node_miss;
+    logic leaf_hit;
+    logic leaf_miss;
+    logic node_wait;   // a context waits for a lookup
+    logic leaf_wait;
+    logic test_wait;   // a test waits for the hit unit's queue
+  } lane_events_t;
+
+  // The same of all lanes, a bit each.
+  localparam int unsigned MaxLanes = 8;
+  typedef logic [MaxLanes-1:0] by_lane_t;
+  typedef struct packed {
+    by_lane_t node, test, cand, node_hit, node_miss, leaf_hit, leaf_miss, node_wait, leaf_wait, test_wait;
+  } lane_sums_t;
+
   // A burst of beats from addr, which is aligned so that it stays inside a 4 KiB page.
   typedef struct packed {
     addr_t             addr;
@@ -338,6 +407,9 @@ package castray_pkg;
     extent_t     y1;
     logic        want_hits;
     logic        z_order;       // tiles along a Z curve, else in rows
+    logic        brute;         // every ray against every primitive
+    logic        from_root;     // every ray starts at the root
+    steps_t      steps;         // nodes that a ray may visit
     logic        illegal;       // a register held bits outside its field
   } job_t;
 

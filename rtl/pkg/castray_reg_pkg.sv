@@ -20,6 +20,8 @@ package castray_reg_pkg;
   localparam int unsigned RegWindowMin  = 'h05c;  // x0 | y0 << 16: the first pixel rendered
   localparam int unsigned RegWindowMax  = 'h064;  // x1 | y1 << 16: one past the last; 0: the frame
 
+  localparam int unsigned RegSteps      = 'h06c;  // nodes that a ray may visit, below 2^24; 0: no limit but that
+
   // Read only.
   localparam int unsigned RegVersion    = 'h080;  // major << 16 | minor << 8 | patch
   localparam int unsigned RegConfig     = 'h084;  // lanes | contexts << 8 | tile size << 16
@@ -40,7 +42,21 @@ package castray_reg_pkg;
   localparam int unsigned CntAttrMisses   = 9;
   localparam int unsigned CntReadBeats    = 10;
   localparam int unsigned CntWriteBeats   = 11;
-  localparam int unsigned Counters        = 12;
+  localparam int unsigned CntNodes        = 12;  // ray/node tests, those of tiles' frontiers too
+  localparam int unsigned CntNodeHits     = 13;  // node caches of the lanes
+  localparam int unsigned CntNodeMisses   = 14;
+  localparam int unsigned CntLeafHits     = 15;  // leaf caches of the lanes
+  localparam int unsigned CntLeafMisses   = 16;
+  localparam int unsigned CntNodeWaits    = 17;  // cycles, over the lanes, in which a ray waited to look up a node
+  localparam int unsigned CntLeafWaits    = 18;  // or a leaf
+  localparam int unsigned CntTestWaits    = 19;  // or a test for the hit unit's queue
+  localparam int unsigned CntL2Hits       = 20;  // the shared cache
+  localparam int unsigned CntL2Misses     = 21;
+  localparam int unsigned CntTileNodes    = 22;  // nodes read to start tiles
+  localparam int unsigned CntTileHits     = 23;  // their cache
+  localparam int unsigned CntTileMisses   = 24;
+  localparam int unsigned CntEmptyTiles   = 25;  // tiles filled with background
+  localparam int unsigned Counters        = 26;
   localparam int unsigned EventBits       = 8;   // events of one counter in a cycle: one a lane
 
   // Bits of RegControl.
@@ -56,4 +72,7 @@ package castray_reg_pkg;
   // Bits of RegOptions.
   localparam int unsigned OptionHits   = 0;      // write the hit buffer
   localparam int unsigned OptionZOrder = 1;      // walk the tiles along a Z curve
+  localparam int unsigned OptionBrute  = 2;      // every ray against every primitive, without the hierarchy
+  localparam int unsigned OptionRoot   = 3;      // every ray starts at the root, without tile_start
+  localparam int unsigned NumOptions   = 4;      // from bit 0 up
 endpackage

@@ -30,6 +30,10 @@ module shading
   output logic          tile_ready_o,
   input  tile_t         tile_i,
 
+  input  logic          fill_valid_i,   // a tile of background
+  output logic          fill_ready_o,
+  input  logic [7:0]    fill_slot_i,
+
   input  logic          in_valid_i,
   output logic          in_ready_o,
   input  hit_t          in_i,
@@ -120,11 +124,16 @@ module shading
   );
 
   // ---- Tiles ----
-  logic gather_idle;
+  logic        gather_idle;
+  logic [31:0] background_word;
+  pixel_word u_background_word (
+    .colour_i(paint.background), .swap_rb_i(paint.swap_rb), .word_o(background_word)
+  );
 
   tile_gather #(.TileLog2(TileLog2), .Slots(Slots)) u_tile_gather (
     .clk_i, .rst_ni, .base_i(job_i.frame), .stride_i(record_i.stride),
     .tile_valid_i, .tile_ready_o, .tile_i,
+    .fill_valid_i, .fill_ready_o, .fill_slot_i, .fill_colour_i(background_word),
     .in_valid_i(shaded_valid), .in_ready_o(shaded_ready), .in_i(shaded),
     .out_valid_o(pixel_valid_o), .out_ready_i(pixel_ready_i), .out_o(pixel_o),
     .idle_o(gather_idle)

@@ -16,8 +16,8 @@ module contexts
   output ctx_t          free_ctx_o,      // the next ray's, unless full_o
   input  logic          take_i,
 
-  input  logic          done_valid_i,    // a ray is done; always taken. Not for brute force
-  input  ctx_t          done_ctx_i,
+  input  logic [1:0]    done_valid_i,    // rays are done; always taken. Not for brute force
+  input  ctx_t          done_ctx_i [2],
 
   output logic          out_valid_o,     // whose hit may leave; for brute force any, when all are done
   output ctx_t          out_ctx_o,
@@ -63,8 +63,8 @@ module contexts
   logic done_valid;
   ctx_t done_ctx, free_ctx;
 
-  stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_done (
-    .clk_i, .rst_ni, .used_o(),
+  pair_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_done (
+    .clk_i, .rst_ni,
     .valid_i(done_valid_i), .ready_o(), .data_i(done_ctx_i),
     .valid_o(done_valid), .ready_i(hierarchy_i && out_taken_i), .data_o(done_ctx)
   );

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contexts go to lines of one section of the image, nodes or leaves, and get them from a cache, in any
-// order. They wait in a queue, so that whoever is sent here is taken. An index behind the section
+// order. They come from either of two steps and wait in a queue, so that whoever is sent here is taken. An index behind the section
 // raises fault_o, and its context gets nothing.
 // From visit_valid_i to out_valid_o: 4 cycles for a line that the cache holds.
 module line_fetch
@@ -16,13 +16,14 @@ module line_fetch
   input  line_no_t    base_i,          // the section's first line
   input  logic [31:0] count_i,         // how many it has
 
-  input  logic        visit_valid_i,   // at most one of a context under way
-  input  ctx_t        visit_ctx_i,
-  input  line_t       visit_index_i,
+  input  logic [1:0]  visit_valid_i,   // at most one of a context under way
+  input  ctx_t        visit_ctx_i [2],
+  input  ref_t        visit_ref_i [2],
 
   output logic        out_valid_o,
   input  logic        out_ready_i,
   output ctx_t        out_ctx_o,
+  output line_t       out_index_o,
   output line_data_t  out_data_o,
   output error_t      fault_o,
 
@@ -37,20 +38,31 @@ module line_fetch
   output logic        miss_o,
   output logic        wait_o           // a context waits for the cache
 );
+  localparam int unsigned IdxW       = (Contexts > 1) ? $clog2(Contexts) : 1;
   localparam int unsigned QueueDepth = (Contexts > 1) ? Contexts : 2;
   typedef struct packed {
     ctx_t  ctx;
     line_t index;
   } visit_t;
 
-  visit_t head;
+  visit_t visit [2], head;
   logic   head_valid, in_range, cache_ready;
+  for (genvar i = 0; i < 2; i++) begin : g_visit
+    assign visit[i] = '{ctx: visit_ctx_i[i], index: visit_ref_i[i].index};
+  end
 
-  stream_fifo #(.data_t(visit_t), .Depth(QueueDepth)) u_queue (
-    .clk_i, .rst_ni, .used_o(),
-    .valid_i(visit_valid_i), .ready_o(), .data_i('{ctx: visit_ctx_i, index: visit_index_i}),
+  pair_fifo #(.data_t(visit_t), .Depth(QueueDepth)) u_queue (
+    .clk_i, .rst_ni,
+    .valid_i(visit_valid_i), .ready_o(), .data_i(visit),
     .valid_o(head_valid), .ready_i(cache_ready || !in_range), .data_o(head)
   );
+
+  line_t index_q [Contexts];
+  assign out_index_o = index_q[IdxW'(out_ctx_o)];
+  always_ff @(posedge clk_i) begin
+    if (head_valid && in_range && cache_ready) index_q[IdxW'(head.ctx)] <= head.index;
+  end
+
   assign in_range = 32'(head.index) < count_i;
   assign fault_o  = (head_valid && !in_range) ? Fault : ErrNone;
   assign wait_o   = head_valid && in_range && !cache_ready;

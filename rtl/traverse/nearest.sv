@@ -25,9 +25,9 @@ module nearest
   input  logic [IdxW-1:0] node_ctx_i,     // for the node pipe
   output t_t              node_t_o,
 
-  input  logic [IdxW-1:0] step_ctx_i,     // for the next step
-  output dist_t           step_reach_o,
-  output logic            step_found_o,
+  input  logic [IdxW-1:0] step_ctx_i [2], // for the next steps
+  output dist_t           step_reach_o [2],
+  output logic [1:0]      step_found_o,
 
   input  logic [IdxW-1:0] out_ctx_i,      // for the lane's output
   output logic            out_found_o,
@@ -71,12 +71,15 @@ module nearest
     return t[CoordW+TFrac] ? '0 : t[CoordW+TFrac-1 -: DistW];
   endfunction
 
-  key_t node_key, step_key;
+  key_t node_key;
   assign node_key     = key_q[node_ctx_i];
   assign node_t_o     = node_key.t;
-  assign step_key     = key_q[step_ctx_i];
-  assign step_reach_o = reach(step_key.t);
-  assign step_found_o = step_key.found;
+  for (genvar i = 0; i < 2; i++) begin : g_step
+    key_t step_key;
+    assign step_key        = key_q[step_ctx_i[i]];
+    assign step_reach_o[i] = reach(step_key.t);
+    assign step_found_o[i] = step_key.found;
+  end
 
   key_t out_key;
   assign out_key     = key_q[out_ctx_i];

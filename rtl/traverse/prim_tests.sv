@@ -39,9 +39,9 @@ module prim_tests
 
   input  logic [IdxW-1:0] node_ctx_i,      // for the node pipe: the nearest t
   output t_t              node_t_o,
-  input  logic [IdxW-1:0] step_ctx_i,      // for the next step
-  output dist_t           step_reach_o,
-  output logic            step_found_o,
+  input  logic [IdxW-1:0] step_ctx_i [2],  // for the next steps
+  output dist_t           step_reach_o [2],
+  output logic [1:0]      step_found_o,
   input  logic [IdxW-1:0] out_ctx_i,       // for the lane's output
   output logic            out_found_o,
   output result_t         out_o,

@@ -28,9 +28,9 @@ module ray_store
   input  logic [IdxW-1:0] node_ctx_i,
   output slab_ray_t       node_ray_o,
 
-  // For the next step.
-  input  logic [IdxW-1:0] step_ctx_i,
-  output logic            step_any_hit_o,
+  // For the next steps.
+  input  logic [IdxW-1:0] step_ctx_i [2],
+  output logic [1:0]      step_any_hit_o,
 
   // For the hit unit.
   input  logic [IdxW-1:0] hit_ctx_i,
@@ -91,7 +91,7 @@ module ray_store
     rx: rx_q[node_ctx_i], ry: ry_q[node_ctx_i], tmin: tmin_q[node_ctx_i]
   };
 
-  assign step_any_hit_o = flags_q[step_ctx_i][3];
+  assign step_any_hit_o = {flags_q[step_ctx_i[1]][3], flags_q[step_ctx_i[0]][3]};
 
   assign hit_ray_o = '{
     norm2: norm2_q[hit_ctx_i], neg: flags_q[hit_ctx_i][0], cull: flags_q[hit_ctx_i][1],

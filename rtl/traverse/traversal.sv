@@ -1,113 +1,201 @@
 // SPDX-License-Identifier: Apache-2.0
-// From rays to hits: the lanes, what deals rays to them, and what leads primitives past their
+// From rays to hits: the lanes, the queues of rays before them, and what leads primitives past their
 // contexts. Instances and wires only.
 //
-//   in -> ray_dispatch -> lane[Lanes] -> arb -> out
-//   prim_reader -> brute_walk -^ (all lanes)
+//   hierarchy    in -> the queue of the lane that its tile was dealt to -> lane[Lanes] -> arb -> out
+//   brute force  in -> ray_dispatch -> lane[Lanes] -> arb -> out
+//                prim_reader -> brute_walk -^ (all lanes)
 //
-// Hits leave in another order than their rays came. lines_i and what belongs to it stand still
-// from the first ray until idle.
-// Model: cpp_model/core.cpp (cast), equal bit for bit.
+// Hits leave in another order than their rays came; pixels that meet nothing (miss_*) join them.
+// brute_i, tree_i, root_i, lines_i stand still from the first ray until idle.
+// Model: cpp_model/traverse/lane.hpp, equal bit for bit.
 module traversal
   import castray_cfg_pkg::*;
   import castray_pkg::*;
+  import castray_image_pkg::*;
 #(
   parameter int unsigned Lanes    = DefaultLanes,
-  parameter int unsigned Contexts = DefaultContexts
+  parameter int unsigned Contexts = DefaultContexts,
+  parameter int unsigned TileLog2 = DefaultTileLog2,
+  parameter int unsigned Slots    = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)
 ) (
-  input  logic             clk_i,
-  input  logic             rst_ni,
+  input  logic                clk_i,
+  input  logic                rst_ni,
 
-  input  addr_t            lines_i,        // where the primitives' lines begin
-  input  logic [31:0]      line_count_i,
-  input  logic [31:0]      primitives_i,   // numbers are below it
-  output error_t           fault_o,
+  input  logic                brute_i,
+  input  tree_t               tree_i,
+  input  ref_t                root_i,
+  input  addr_t               lines_i,        // where the primitives' lines begin
+  output error_t              fault_o,
 
-  input  logic             exhausted_i,    // no more rays come
-  input  logic             starved_i,      // none come before hits have left
-  output logic             idle_o,
+  input  logic                exhausted_i,    // no more rays come
+  input  logic                starved_i,      // none come before hits have left
+  output logic                idle_o,
 
-  input  logic             in_valid_i,
-  output logic             in_ready_o,
-  input  ray_t             in_i,
+  input  logic                deal_valid_i,   // which lane the rays of a tile go to, before they come
+  input  lane_no_t            deal_lane_i,
+  input  started_t            deal_i,
+  output logic [Lanes-1:0]    left_o,         // a ray left its lane's queue
 
-  output logic             out_valid_o,
-  input  logic             out_ready_i,
-  output hit_t             out_o,
+  input  logic                store_valid_i,  // a node of the frontier of the tile in a slot
+  input  logic [7:0]          store_slot_i,
+  input  logic                store_second_i,
+  input  node_t               store_node_i,
 
-  output logic             read_valid_o,   // primitives
-  input  logic             read_ready_i,
-  output read_req_t        read_o,
-  input  logic             rsp_valid_i,
-  input  read_rsp_t        rsp_i,
+  input  logic                in_valid_i,
+  output logic                in_ready_o,
+  input  ray_t                in_i,
 
-  output logic [Lanes-1:0] test_o,         // counter events
-  output logic [Lanes-1:0] ray_o,
-  output logic [Lanes-1:0] hit_o,
-  output logic [Lanes-1:0] cand_o,
-  output logic             batch_o,
-  output logic             test_stall_o,
-  output logic             fetch_stall_o
+  input  logic                miss_valid_i,
+  output logic                miss_ready_o,
+  input  pixel_tag_t          miss_i,
+
+  output logic                out_valid_o,
+  input  logic                out_ready_i,
+  output hit_t                out_o,
+
+  output logic                read_valid_o,   // primitives
+  input  logic                read_ready_i,
+  output read_req_t           read_o,
+  input  logic                rsp_valid_i,
+  input  read_rsp_t           rsp_i,
+
+  output logic [2*Lanes-1:0]  line_valid_o,   // lines: nodes of lane i at 2 i, leaves at 2 i + 1
+  input  logic [2*Lanes-1:0]  line_ready_i,
+  output line_req_t           line_o [2*Lanes],
+  input  logic [2*Lanes-1:0]  fill_valid_i,
+  output logic [2*Lanes-1:0]  fill_ready_o,
+  input  line_fill_t          fill_i,
+
+  output lane_events_t        events_o [Lanes],   // counter events
+  output logic [Lanes-1:0]    ray_o,
+  output logic [Lanes-1:0]    hit_o,
+  output logic                batch_o,
+  output logic                test_stall_o,
+  output logic                fetch_stall_o
 );
-  // ---- Rays to lanes ----
-  logic             fill, emit;
-  logic [Lanes-1:0] ray_valid, ray_ready;
-
-  ray_dispatch #(.Lanes(Lanes)) u_ray_dispatch (
-    .clk_i, .rst_ni, .restart_i(emit),
-    .in_valid_i, .in_ready_o, .out_valid_o(ray_valid), .out_ready_i(ray_ready)
-  );
-
-  // ---- Primitives past the lanes ----
-  logic [Lanes-1:0] full, quiet, empty, test_ready;
+  // ---- Brute force: rays to lanes in turn, primitives past the lanes ----
+  logic             fill, emit, dealt_ready, brute_idle;
+  logic [Lanes-1:0] dealt_valid, ray_valid, ray_ready, lane_empty, full, quiet, test_ready;
   logic [CtxW:0]    used [Lanes];
   logic             reader_start, reader_done, slot_valid, slot_ready, test_valid;
   prim_slot_t       slot, test_prim;
   ctx_t             test_ctx;
+  error_t           reader_fault;
+
+  ray_dispatch #(.Lanes(Lanes)) u_ray_dispatch (
+    .clk_i, .rst_ni, .restart_i(emit),
+    .in_valid_i(in_valid_i && brute_i), .in_ready_o(dealt_ready),
+    .out_valid_o(dealt_valid), .out_ready_i(ray_ready)
+  );
 
   prim_reader u_prim_reader (
     .clk_i, .rst_ni,
-    .start_i(reader_start), .base_i(lines_i), .lines_i(line_count_i), .primitives_i,
-    .done_o(reader_done), .fault_o,
+    .start_i(reader_start), .base_i(lines_i), .lines_i(tree_i.leaf_count), .primitives_i(tree_i.primitives),
+    .done_o(reader_done), .fault_o(reader_fault),
     .req_valid_o(read_valid_o), .req_ready_i(read_ready_i), .req_o(read_o), .rsp_valid_i, .rsp_i,
     .out_valid_o(slot_valid), .out_ready_i(slot_ready), .out_o(slot)
   );
 
   brute_walk #(.Lanes(Lanes)) u_brute_walk (
     .clk_i, .rst_ni,
-    .exhausted_i, .starved_i,
-    .used_i(used[0]), .full_i(full), .quiet_i(quiet), .empty_i(empty),
+    .exhausted_i, .starved_i(brute_i && starved_i),
+    .used_i(used[0]), .full_i(full & {Lanes{brute_i}}), .quiet_i(quiet),
+    .empty_i(lane_empty | {Lanes{!brute_i}}),
     .fill_o(fill), .emit_o(emit),
     .reader_start_o(reader_start), .reader_done_i(reader_done),
     .prim_valid_i(slot_valid), .prim_ready_o(slot_ready), .prim_i(slot),
     .test_valid_o(test_valid), .test_ready_i(test_ready),
     .test_ctx_o(test_ctx), .test_prim_o(test_prim),
-    .idle_o, .batch_o, .test_stall_o, .fetch_stall_o
+    .idle_o(brute_idle), .batch_o, .test_stall_o, .fetch_stall_o
   );
+
+  // ---- Hierarchy: what was dealt, by the tile's slot; a queue before each lane ----
+  localparam int unsigned SlotW     = $clog2(Slots);
+  localparam int unsigned TileNodes = 2 << SlotW;
+  typedef struct packed {
+    lane_no_t   lane;
+    logic [1:0] start;
+  } dealt_t;
+  dealt_t           dealt_q [1 << SlotW];
+  logic [Lanes-1:0] queue_ready, to_lane, queue_valid;
+  ray_t             queued [Lanes];
+  lane_no_t         in_lane;
+
+  always_ff @(posedge clk_i) begin
+    if (deal_valid_i) dealt_q[deal_i.tile.slot[SlotW-1:0]] <= '{lane: deal_lane_i, start: deal_i.start};
+  end
+  assign in_lane    = dealt_q[in_i.tag.slot[SlotW-1:0]].lane;
+  assign in_ready_o = brute_i ? dealt_ready : |(queue_ready & to_lane);
+
+  function automatic start_t start_of(dealt_t dealt, logic [SlotW-1:0] tile_slot, ref_t root);
+    ref_t none;
+    none = '{kind: RefNone, index: '0};
+    unique case (dealt.start)
+      TileRoot: return '{first: root, second: none};
+      TileOne:  return '{first: '{kind: RefTile, index: line_t'({tile_slot, 1'b0})}, second: none};
+      TileTwo:  return '{first: '{kind: RefTile, index: line_t'({tile_slot, 1'b0})},
+                         second: '{kind: RefTile, index: line_t'({tile_slot, 1'b1})}};
+      default:  return '{first: none, second: none};
+    endcase
+  endfunction
 
   // ---- Lanes ----
   logic [Lanes-1:0] hit_valid, hit_ready, found;
-  hit_t             hit [Lanes];
+  hit_t             hit [Lanes+1];
+  error_t           lane_fault [Lanes];
 
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
-    lane #(.Contexts(Contexts)) u_lane (
-      .clk_i, .rst_ni, .fill_i(fill),
-      .ray_valid_i(ray_valid[i]), .ray_ready_o(ray_ready[i]), .ray_i(in_i),
+    logic [SlotW-1:0] tile_slot;
+    ray_t             ray;
+    assign to_lane[i]   = in_lane == lane_no_t'(i);
+    assign ray          = brute_i ? in_i : queued[i];
+    assign tile_slot    = queued[i].tag.slot[SlotW-1:0];
+    assign ray_valid[i] = brute_i ? dealt_valid[i] : queue_valid[i];
+    assign left_o[i]    = !brute_i && ray_valid[i] && ray_ready[i];
+
+    stream_fifo #(.data_t(ray_t), .Depth(ray_queue(TileLog2))) u_queue (
+      .clk_i, .rst_ni, .used_o(),
+      .valid_i(in_valid_i && !brute_i && to_lane[i]), .ready_o(queue_ready[i]), .data_i(in_i),
+      .valid_o(queue_valid[i]), .ready_i(left_o[i]), .data_o(queued[i])
+    );
+    lane #(.Contexts(Contexts), .TileNodes(TileNodes)) u_lane (
+      .clk_i, .rst_ni, .hierarchy_i(!brute_i), .tree_i,
+      .fill_i(fill || !brute_i), .ray_valid_i(ray_valid[i]), .ray_ready_o(ray_ready[i]), .ray_i(ray),
+      .start_i(start_of(dealt_q[tile_slot], tile_slot, root_i)),
       .test_valid_i(test_valid), .test_ready_o(test_ready[i]), .test_step_i(&test_ready),
       .test_ctx_i(test_ctx), .test_prim_i(test_prim),
-      .emit_i(emit),
-      .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(hit[i]),
-      .used_o(used[i]), .full_o(full[i]), .empty_o(empty[i]), .quiet_o(quiet[i]),
-      .test_o(test_o[i]), .cand_o(cand_o[i])
+      .tile_write_i(store_valid_i), .tile_index_i({store_slot_i[SlotW-1:0], store_second_i}),
+      .tile_node_i(store_node_i),
+      .emit_i(emit || !brute_i),
+      .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(hit[i]), .work_o(), .fault_o(lane_fault[i]),
+      .node_req_valid_o(line_valid_o[2*i]), .node_req_ready_i(line_ready_i[2*i]), .node_req_o(line_o[2*i]),
+      .node_fill_valid_i(fill_valid_i[2*i]), .node_fill_ready_o(fill_ready_o[2*i]), .node_fill_i(fill_i),
+      .leaf_req_valid_o(line_valid_o[2*i+1]), .leaf_req_ready_i(line_ready_i[2*i+1]), .leaf_req_o(line_o[2*i+1]),
+      .leaf_fill_valid_i(fill_valid_i[2*i+1]), .leaf_fill_ready_o(fill_ready_o[2*i+1]), .leaf_fill_i(fill_i),
+      .used_o(used[i]), .full_o(full[i]), .empty_o(lane_empty[i]), .quiet_o(quiet[i]),
+      .events_o(events_o[i])
     );
     assign found[i] = hit[i].found;
   end
-  assign ray_o = ray_valid & ray_ready;
-  assign hit_o = found & hit_valid & hit_ready;
+  assign ray_o  = ray_valid & ray_ready;
+  assign hit_o  = found & hit_valid & hit_ready;
+  assign idle_o = brute_i ? brute_idle : (exhausted_i && &lane_empty && queue_valid == '0);
 
-  stream_arb #(.data_t(hit_t), .N(Lanes)) u_merge (
+  // ---- Out ----
+  always_comb begin
+    hit[Lanes]     = '0;
+    hit[Lanes].tag = miss_i;
+    hit[Lanes].t   = TMax;
+  end
+  stream_arb #(.data_t(hit_t), .N(Lanes + 1)) u_merge (
     .clk_i, .rst_ni,
-    .valid_i(hit_valid), .ready_o(hit_ready), .data_i(hit),
+    .valid_i({miss_valid_i, hit_valid}), .ready_o({miss_ready_o, hit_ready}), .data_i(hit),
     .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o), .index_o()
   );
+
+  always_comb begin
+    fault_o = brute_i ? reader_fault : ErrNone;
+    for (int unsigned i = 0; i < Lanes; i++) if (lane_fault[i] != ErrNone) fault_o = lane_fault[i];
+  end
 endmodule

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cstdio>
@@ -70,6 +71,8 @@ void CoreArguments::add_to(CLI::App& command) {
   command.add_option("--tile", tile, "side of a tile in pixels")->check(CLI::IsMember({4, 8, 16}))->capture_default_str();
   command.add_option("--ports", ports, "memory ports of the core")->check(CLI::IsMember({1, 2}))->capture_default_str();
   command.add_option("--l2", l2_kbytes, "KB of the shared cache; 0: none")->capture_default_str();
+  command.add_option("--mode", mode, "how primitives are found: bvh, the hierarchy from each tile's start; bvh_root, from its root; brute, all are tested")
+      ->check(CLI::IsMember(std::vector<std::string>(sim::kModeNames.begin(), sim::kModeNames.end())))->capture_default_str();
   command.add_option("--memory", memory, "timing of the memory: reference, or hp with 8 requests outstanding")
       ->check(CLI::IsMember({"reference", "hp"}))->capture_default_str();
   command.add_option("--stalls", stalls, "pattern of stalls on the five channels of the memory")
@@ -88,6 +91,10 @@ sim::RtlOptions CoreArguments::options() const {
   return options;
 }
 
+sim::Mode CoreArguments::render_mode() const {
+  return static_cast<sim::Mode>(std::find(sim::kModeNames.begin(), sim::kModeNames.end(), mode) - sim::kModeNames.begin());
+}
+
 std::string CoreArguments::text() const {
   const CoreArguments none;
   std::string text;
@@ -96,6 +103,7 @@ std::string CoreArguments::text() const {
   if (tile != none.tile) text += " --tile " + std::to_string(tile);
   if (ports != none.ports) text += " --ports " + std::to_string(ports);
   if (l2_kbytes != none.l2_kbytes) text += " --l2 " + std::to_string(l2_kbytes);
+  if (mode != none.mode) text += " --mode " + mode;
   if (memory != none.memory) text += " --memory " + memory;
   if (stalls != none.stalls) text += " --stalls " + stalls;
   if (reorder) text += " --reorder";

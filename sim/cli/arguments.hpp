@@ -8,6 +8,7 @@
 
 #include "castray_records.hpp"
 #include "command.hpp"
+#include "driver.hpp"
 #include "rtl_device.hpp"
 #include "scene/scene.hpp"
 
@@ -37,6 +38,7 @@ struct CoreArguments {
   int tile = 1 << DefaultTileLog2;
   int ports = DefaultPorts;
   int l2_kbytes = DefaultL2Kbytes;
+  std::string mode = "bvh";
   std::string memory = "reference";
   std::string stalls = "none";
   bool reorder = false;
@@ -44,6 +46,7 @@ struct CoreArguments {
 
   void add_to(CLI::App& command);
   sim::RtlOptions options() const;
+  sim::Mode render_mode() const;
   // The options that differ from their defaults, as on a command line.
   std::string text() const;
 };

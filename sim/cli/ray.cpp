@@ -46,7 +46,9 @@ ExitCode ray(const Arguments& args, const sim::RunRtl& run_rtl) {
   check_outputs({{"--trace", args.trace, sim::check_writable}}, scene);
   const SceneImage image = compile(scene, scene.width, scene.height);
   args.scene.print_notes(scene);
-  const sim::RenderOptions options{true, false, sim::PixelWindow{args.x, args.y, args.x + 1, args.y + 1}};
+  // One ray does not share its start with a tile's others: in the hierarchy it starts at the root.
+  const sim::Mode mode = args.core.render_mode() == sim::Mode::kBrute ? sim::Mode::kBrute : sim::Mode::kBvhRoot;
+  const sim::RenderOptions options{.hits = true, .mode = mode, .window = sim::PixelWindow{args.x, args.y, args.x + 1, args.y + 1}};
 
   sim::ModelDevice model;
   sim::Driver model_driver(model);

@@ -57,7 +57,7 @@ class Render {
                    {"--hits", args_.hits, sim::check_writable}, {"--save-scene", args_.save_scene, sim::check_writable},
                    {"--trace", args_.trace, sim::check_writable}}, scene_);
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
-    report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", "brute"},
+    report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", args_.core.mode},
                {"commit", kCommit}, {"width", scene_.width}, {"height", scene_.height},
                {"pixels", static_cast<std::size_t>(scene_.width) * static_cast<std::size_t>(scene_.height)}};
     const ExitCode code = args_.on_device() ? on_device() : on_reference();
@@ -78,6 +78,10 @@ class Render {
       metadata.emplace_back("castray:cycles", std::to_string(report_["cycles"].get<std::uint64_t>()));
     }
     return metadata;
+  }
+
+  sim::RenderOptions options(bool hits, std::optional<sim::PixelWindow> window = {}) const {
+    return {.hits = hits, .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
   }
 
   sim::Progress progress(ProgressBar& bar) const {
@@ -113,7 +117,7 @@ class Render {
     // Without a use for the hit records the core is not asked for them: they cost it cycles.
     const bool hits = args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty();
     ProgressBar bar("rendering");
-    const sim::RtlRun run = context_.run_rtl(image_, device, {hits, args_.z_order, {}}, progress(bar));
+    const sim::RtlRun run = context_.run_rtl(image_, device, options(hits), progress(bar));
     report_.update(report_of(run, device));
     std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, run.device.c_str());
     print_work(run.rendering, run.seconds);
@@ -125,7 +129,7 @@ class Render {
   sim::Rendering on_model() {
     ProgressBar bar("rendering");
     const auto start = std::chrono::steady_clock::now();
-    const sim::Rendering rendering = sim::run_model(image_, {true, args_.z_order, {}}, progress(bar));
+    const sim::Rendering rendering = sim::run_model(image_, options(true), progress(bar));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report_.update(report_of(rendering));
     report_["seconds"] = seconds;
@@ -144,7 +148,7 @@ class Render {
   // ---- Comparisons ----
   bool equals_model(const sim::Rendering& rendering) {
     ProgressBar bar("model");
-    const sim::Rendering expected = sim::run_model(image_, {true, args_.z_order, {}}, progress(bar));
+    const sim::Rendering expected = sim::run_model(image_, options(true), progress(bar));
     const sim::Comparison comparison = sim::compare(rendering, expected);
     const bool work = rendering.counters[CntTests] == expected.counters[CntTests] && rendering.counters[CntHits] == expected.counters[CntHits];
     report_["pixels_differ"] = comparison.pixels_differ;
@@ -169,7 +173,7 @@ class Render {
     const int x = static_cast<int>(i) % scene_.width, y = static_cast<int>(i) / scene_.width;
     sim::RtlOptions device = args_.core.options();
     device.trace_file = args_.trace;
-    context_.run_rtl(image_, device, {true, args_.z_order, sim::PixelWindow{x, y, x + 1, y + 1}}, {});
+    context_.run_rtl(image_, device, options(true, sim::PixelWindow{x, y, x + 1, y + 1}), {});
     std::printf("wrote %s, the waveforms of pixel (%d, %d)\n", args_.trace.c_str(), x, y);
   }
 

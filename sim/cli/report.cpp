@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report.hpp"
 
+#include "counter_names.hpp"
 #include "picture.hpp"
 #include "scene/files.hpp"
 
@@ -9,14 +10,8 @@ namespace castray::cli {
 using Json = nlohmann::ordered_json;
 
 Json report_of(const sim::Rendering& rendering) {
-  static constexpr std::pair<std::int64_t, const char*> kNames[] = {
-      {CntCycles, "cycles"},           {CntTests, "tests"},          {CntRays, "rays"},
-      {CntHits, "hits"},               {CntCandidates, "candidates"}, {CntBatches, "batches"},
-      {CntTestStalls, "test_stalls"},  {CntFetchStalls, "fetch_stalls"}, {CntAttrHits, "attr_hits"},
-      {CntAttrMisses, "attr_misses"},  {CntReadBeats, "read_beats"}, {CntWriteBeats, "write_beats"}};
-  static_assert(std::size(kNames) == Counters);
   Json json;
-  for (const auto& [index, name] : kNames) json[name] = rendering.counters[static_cast<std::size_t>(index)];
+  for (const auto& [index, name] : sim::kCounterNames) json[name] = rendering.counters[static_cast<std::size_t>(index)];
   return json;
 }
 

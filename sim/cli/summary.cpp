@@ -13,15 +13,25 @@ std::string grouped(std::uint64_t number) {
 
 void print_work(const sim::Rendering& rendering, double seconds) {
   const auto count = [&](std::int64_t index) { return grouped(rendering.counters[static_cast<std::size_t>(index)]); };
-  std::printf("  tests %s, rays %s, hits %s, accepted by the exact test %s\n", count(CntTests).c_str(), count(CntRays).c_str(),
-              count(CntHits).c_str(), count(CntCandidates).c_str());
+  std::printf("  rays %s, hits %s; tests of nodes %s, of primitives %s, of which the exact test accepted %s\n", count(CntRays).c_str(),
+              count(CntHits).c_str(), count(CntNodes).c_str(), count(CntTests).c_str(), count(CntCandidates).c_str());
   std::printf("  %.2f s\n", seconds);
 }
 
 void print_run(const sim::RtlRun& run) {
   const auto count = [&](std::int64_t index) { return grouped(run.rendering.counters[static_cast<std::size_t>(index)]); };
-  std::printf("  cycles %s, waiting for a lane %s, for a primitive %s; passes %s\n", count(CntCycles).c_str(),
-              count(CntTestStalls).c_str(), count(CntFetchStalls).c_str(), count(CntBatches).c_str());
+  const auto share = [&](std::int64_t hits, std::int64_t misses) {
+    const auto of = [&](std::int64_t index) { return static_cast<double>(run.rendering.counters[static_cast<std::size_t>(index)]); };
+    return of(hits) + of(misses) > 0 ? 100 * of(hits) / (of(hits) + of(misses)) : 0.0;
+  };
+  std::printf("  cycles %s\n", count(CntCycles).c_str());
+  if (run.rendering.counters[CntBatches] > 0)
+    std::printf("  brute force: %s passes, %s cycles waiting for a lane, %s for a primitive\n", count(CntBatches).c_str(),
+                count(CntTestStalls).c_str(), count(CntFetchStalls).c_str());
+  else
+    std::printf("  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%; tiles: %s nodes read to start them, %s filled\n",
+                share(CntNodeHits, CntNodeMisses), share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses),
+                count(CntTileNodes).c_str(), count(CntEmptyTiles).c_str());
   std::printf("  read beats %s, write beats %s; attributes: %s in the cache, %s fetched\n", count(CntReadBeats).c_str(),
               count(CntWriteBeats).c_str(), count(CntAttrHits).c_str(), count(CntAttrMisses).c_str());
   std::printf("  simulated %.3f M cycles a second\n", run.cycles_per_second() / 1e6);

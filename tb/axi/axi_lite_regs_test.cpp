@@ -11,7 +11,7 @@ constexpr std::uint32_t kStart = 1u << CtrlStart, kDone = 1u << CtrlDone, kIdle 
                         kRestart = 1u << CtrlAutoRestart, kInterrupt = 1u << CtrlInterrupt;
 
 const std::int64_t kArguments[] = {RegImage,      RegImage + 4,  RegFrame,     RegFrame + 4, RegHits,      RegHits + 4, RegImageBytes,
-                                   RegFrameBytes, RegHitsBytes, RegFrameSize, RegOptions,   RegWindowMin, RegWindowMax};
+                                   RegFrameBytes, RegHitsBytes, RegFrameSize, RegOptions,   RegWindowMin, RegWindowMax, RegSteps};
 
 class AxiLiteRegs : public testing::Test {
  protected:
@@ -171,9 +171,9 @@ TEST_F(AxiLiteRegs, LatchTheJobAtItsStart) {
     for (const std::int64_t offset : kArguments) {
       std::uint32_t value = static_cast<std::uint32_t>(rng());
       const int kind = static_cast<int>(rng() % 4);
-      if (kind != 0) value &= offset == RegOptions ? 3 : offset >= RegFrameSize ? 0x1fff1fff : 0xffffff00;
+      if (kind != 0) value &= offset == RegOptions ? (1u << NumOptions) - 1 : offset == RegSteps ? 0xffffff : offset >= RegFrameSize ? 0x1fff1fff : 0xffffff00;
       if (kind != 0 && (offset == RegImage + 4 || offset == RegFrame + 4 || offset == RegHits + 4)) value >>= 24;
-      if (kind == 1 && offset == RegWindowMax) value = 0;
+      if (kind == 1 && (offset == RegWindowMax || offset == RegSteps)) value = 0;
       write(offset, value);
     }
     const job_t expected = model_job();
@@ -212,7 +212,8 @@ TEST_F(AxiLiteRegsField, BitsOutsideAFieldAreIllegal) {
       EXPECT_EQ(illegal(offset, 1u << bit), bit % 16 >= 13) << offset << " bit " << bit;
     for (const std::int64_t offset : {RegImage + 4, RegFrame + 4, RegHits + 4})
       EXPECT_EQ(illegal(offset, 1u << bit), bit >= 8) << offset << " bit " << bit;
-    EXPECT_EQ(illegal(RegOptions, 1u << bit), bit != OptionHits && bit != OptionZOrder) << bit;
+    EXPECT_EQ(illegal(RegOptions, 1u << bit), bit >= NumOptions) << bit;
+    EXPECT_EQ(illegal(RegSteps, 1u << bit), bit >= steps_t_bits) << bit;
   }
 }
 

@@ -5,6 +5,7 @@
 #include "Vray_source.h"
 #include "camera/ray_gen.hpp"
 #include "camera/ray_setup.hpp"
+#include "camera/slab_setup.hpp"
 #include "camera/tile_walk.hpp"
 #include "dut.hpp"
 
@@ -22,6 +23,7 @@ job_t window(std::uint64_t x0, std::uint64_t y0, std::uint64_t x1, std::uint64_t
   job.x1 = x1;
   job.y1 = y1;
   job.z_order = z_order;
+  job.brute = 1;   // no tile is started in the hierarchy
   return job;
 }
 
@@ -40,7 +42,7 @@ class RaySource : public ::testing::TestWithParam<Stalls> {
   void follow(const job_t& job, Stalls stalls) {
     std::vector<ray_t> rays;
     tile_walk(job, kTileLog2, kSlots, [&](const pixel_tag_t& tag) {
-      rays.push_back(ray_setup(ray_gen(camera, static_cast<int>(tag.x), static_cast<int>(tag.y)), camera, tag));
+      rays.push_back(slab_setup(ray_setup(ray_gen(camera, static_cast<int>(tag.x), static_cast<int>(tag.y)), camera, tag)));
     });
     Gate gather(stalls.source, stalls.burst, 5), sink(stalls.sink, stalls.burst, 6);
     set_port(dut->job_i, job);

@@ -48,4 +48,30 @@ void run_chain(Dut<V>& dut, int stages, std::size_t count, Stalls stalls, Set se
   }
 }
 
+// Passes `count` items through a unit that never stalls, with the source's gaps: set(k, i) puts on the
+// inputs what item i brings to stage k + 1, or what another one would where none enters; check(k, i)
+// compares what that stage has made of it.
+template <class V, class Set, class Enable, class Check>
+void run_straight(Dut<V>& dut, int stages, std::size_t count, Stalls stalls, Set set, Enable enable, Check check) {
+  Gate source(stalls.source, stalls.burst, 1);
+  std::mt19937 rng(3);
+  constexpr std::size_t kNone = ~std::size_t{0};
+  std::vector<std::size_t> entering(static_cast<std::size_t>(stages), kNone);  // by stage
+  for (std::size_t sent = 0, done = 0; done < count && !testing::Test::HasFailure();) {
+    std::rotate(entering.begin(), entering.end() - 1, entering.end());
+    entering[0] = sent < count && source.open() ? sent++ : kNone;
+    unsigned load = 0;
+    for (int k = 0; k < stages; ++k) {
+      const std::size_t i = entering[static_cast<std::size_t>(k)];
+      load |= unsigned{i != kNone} << k;
+      set(k, i != kNone ? i : rng() % count);
+    }
+    enable(load);
+    dut.tick();
+    for (int k = 0; k < stages; ++k)
+      if (const std::size_t i = entering[static_cast<std::size_t>(k)]; i != kNone) check(k, i);
+    done += entering.back() != kNone;
+  }
+}
+
 }  // namespace castray::tb

@@ -44,7 +44,7 @@ inline testing::AssertionResult equal(const sim::Rendering& rtl, const sim::Rend
               << sim::text_of(rtl, i) << "\n    model " << sim::text_of(model, i);
     return failure;
   }
-  for (const auto counter : {CntTests, CntRays, CntHits, CntCandidates}) {
+  for (const auto counter : {CntTests, CntRays, CntHits, CntCandidates, CntNodes, CntTileNodes, CntEmptyTiles}) {
     const auto i = static_cast<std::size_t>(counter);
     if (rtl.counters[i] != model.counters[i])
       return testing::AssertionFailure() << "counter " << i << " is " << rtl.counters[i] << ", in the model " << model.counters[i];

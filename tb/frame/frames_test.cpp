@@ -18,7 +18,8 @@ TEST_P(Lanes, TriangleAndSphereScenesMatchTheModel) {
     for (const std::string name : {"spheres", "cube"}) {
       SCOPED_TRACE(name + ", stalls " + stalls);
       const Scene scene = scene_of(name);
-      expect_frame(core, compile(scene, 40, 30));
+      const SceneImage image = compile(scene, 40, 30);
+      for (const sim::Mode mode : {sim::Mode::kBrute, sim::Mode::kBvh, sim::Mode::kBvhRoot}) expect_frame(core, image, {.mode = mode});
     }
   }
 }
@@ -29,11 +30,31 @@ INSTANTIATE_TEST_SUITE_P(Stalls, Patterns, testing::ValuesIn(sim::Stalls::names(
 TEST_P(Patterns, TeapotMatchesTheModelAndChannelsAreBlocked) {
   static const SceneImage image = compile(scene_of("teapot"), 16, 12);
   Core core(core_of(3, GetParam(), 11));
-  expect_frame(core, image);
+  expect_frame(core, image, {.mode = sim::Mode::kBrute});
   const auto shares = core.device.memory().shares();
   for (unsigned i = 0; i < sim::kChannels; ++i) {
     const sim::StallShare& share = shares[i];
     if (core.device.memory().stalls_use(static_cast<sim::Channel>(i))) EXPECT_GE(share.share(), 0.25) << sim::kChannelNames[i] << " of " << share.wanted;
+  }
+}
+
+TEST_P(Patterns, TeapotInTheHierarchyMatchesTheModel) {
+  static const SceneImage image = compile(scene_of("teapot"), 80, 60);
+  Core core(core_of(3, GetParam(), 12));
+  for (const bool hits : {true, false}) expect_frame(core, image, {.hits = hits});
+}
+
+// Where nothing is asked for but the picture: what the hierarchy sees is what brute force sees.
+TEST(Frames, HierarchyEqualsBruteForce) {
+  Core core(core_of(3));
+  for (const std::string name : {"spheres", "cube"}) {
+    core.driver.load(compile(scene_of(name), 40, 30));
+    const sim::Rendering brute = core.driver.render({.mode = sim::Mode::kBrute});
+    for (const sim::Mode mode : {sim::Mode::kBvh, sim::Mode::kBvhRoot}) {
+      const sim::Rendering tree = core.driver.render({.mode = mode});
+      EXPECT_EQ(tree.error, ErrNone);
+      EXPECT_TRUE(sim::compare(tree, brute).equal()) << name;
+    }
   }
 }
 
@@ -62,7 +83,7 @@ TEST(Frames, WindowsAreParts) {
   for (const sim::PixelWindow& window : windows) {
     SCOPED_TRACE(std::to_string(window.x0) + ", " + std::to_string(window.y0));
     for (const bool hits : {true, false}) {
-      const sim::RenderOptions options{hits, false, window};
+      const sim::RenderOptions options{.hits = hits, .window = window};
       expect_frame(core, image, options);
     }
   }
@@ -81,8 +102,8 @@ TEST(Frames, PixelFormatAndOddSizes) {
 TEST(Frames, LargestSize) {
   Core core(core_of(3));
   const Scene scene = scene_of("cube");
-  expect_frame(core, compile(scene, 4096, 16), {true, false, sim::PixelWindow{4080, 0, 4096, 16}});
-  expect_frame(core, compile(scene, 16, 4096), {true, false, sim::PixelWindow{0, 4080, 16, 4096}});
+  expect_frame(core, compile(scene, 4096, 16), {.window = sim::PixelWindow{4080, 0, 4096, 16}});
+  expect_frame(core, compile(scene, 16, 4096), {.window = sim::PixelWindow{0, 4080, 16, 4096}});
 }
 
 TEST(Frames, CountersAgreeWithTheBus) {

@@ -31,8 +31,8 @@ TEST(Lanes, AFullOneHoldsUpTheOthers) {
     for (const int pixel : {0, 1}) {
       SCOPED_TRACE("pixel " + std::to_string(pixel) + ", stalls " + stalls);
       const SceneImage image = compile(spheres_seen_by(pixel), 2, 1);
-      expect_frame(core, image);
-      const sim::Rendering rtl = core.driver.render();
+      expect_frame(core, image, {.mode = sim::Mode::kBrute});
+      const sim::Rendering rtl = core.driver.render({.mode = sim::Mode::kBrute});
       EXPECT_EQ(rtl.counters[CntCandidates], 150u);
       EXPECT_EQ(rtl.counters[CntHits], 1u);
     }

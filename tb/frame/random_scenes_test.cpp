@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// 200 seeded random scenes, RTL against model: every pixel, every raw hit record, the counters.
+// 200 seeded random scenes, by brute force and in the hierarchy, RTL against model: every pixel, every
+// raw hit record, the counters.
 // Cores: l1c32t3p1m0 l2c32t3p1m128 l3c32t3p2m128 l4c32t3p2m128
 #include "frame/frame.hpp"
 #include "frame/random_scene.hpp"
@@ -26,7 +27,11 @@ TEST_P(RandomScenes, MatchTheModel) {
     const SceneImage image = compile(random.scene, random.scene.width, random.scene.height);
     sim::RenderOptions options;
     options.z_order = seed % 7 == 0;
-    expect_frame(*cores[core], image, options);
+    for (const sim::Mode mode : {sim::Mode::kBrute, seed % 4 == 0 ? sim::Mode::kBvhRoot : sim::Mode::kBvh}) {
+      options.mode = mode;
+      options.hits = mode == sim::Mode::kBrute || seed % 3 != 0;   // without, tiles of background are filled
+      expect_frame(*cores[core], image, options);
+    }
   }
 }
 

@@ -19,6 +19,11 @@ module tile_gather_tb
   output logic        in_ready_o,
   input  shaded_t     in_i,
 
+  input  logic        fill_valid_i,
+  output logic        fill_ready_o,
+  input  logic [7:0]  fill_slot_i,
+  input  logic [31:0] fill_colour_i,
+
   output logic        out_valid_o,
   input  logic        out_ready_i,
   output write_req_t  out_o
@@ -27,7 +32,7 @@ module tile_gather_tb
   localparam int unsigned TileLog2 [Units] = '{2, 3, 4, 3};
   localparam int unsigned Slots    [Units] = '{16, 16, 3, 1};
 
-  logic [Units-1:0] idle, tile_ready, in_ready, out_valid;
+  logic [Units-1:0] idle, tile_ready, in_ready, fill_ready, out_valid;
   write_req_t       out [Units];
   for (genvar i = 0; i < Units; i++) begin : g_unit
     logic selected;
@@ -36,12 +41,14 @@ module tile_gather_tb
       .clk_i, .rst_ni, .base_i, .stride_i, .idle_o(idle[i]),
       .tile_valid_i(tile_valid_i && selected), .tile_ready_o(tile_ready[i]), .tile_i,
       .in_valid_i(in_valid_i && selected), .in_ready_o(in_ready[i]), .in_i,
+      .fill_valid_i(fill_valid_i && selected), .fill_ready_o(fill_ready[i]), .fill_slot_i, .fill_colour_i,
       .out_valid_o(out_valid[i]), .out_ready_i(out_ready_i && selected), .out_o(out[i])
     );
   end
   assign idle_o       = idle[select_i];
   assign tile_ready_o = tile_ready[select_i];
   assign in_ready_o   = in_ready[select_i];
+  assign fill_ready_o = fill_ready[select_i];
   assign out_valid_o  = out_valid[select_i];
   assign out_o        = out[select_i];
 endmodule

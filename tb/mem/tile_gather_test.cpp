@@ -38,6 +38,7 @@ std::uint32_t colour_of(std::uint64_t x, std::uint64_t y) {
   return static_cast<std::uint32_t>((y << 16 | x) * 2654435761u) | 1;
 }
 
+constexpr std::uint32_t kFill = 0x80604020;
 constexpr std::uint64_t kBase = 0xf0'0000'0040;
 
 class TileGather : public testing::TestWithParam<std::tuple<Unit, Stalls>> {
@@ -51,10 +52,13 @@ class TileGather : public testing::TestWithParam<std::tuple<Unit, Stalls>> {
     dut_->select_i = unit.select;
     dut_->base_i = kBase;
     dut_->stride_i = stride;
-    dut_->tile_valid_i = dut_->in_valid_i = dut_->out_ready_i = 0;
+    dut_->tile_valid_i = dut_->in_valid_i = dut_->fill_valid_i = dut_->out_ready_i = 0;
+    dut_->fill_colour_i = kFill;
+    std::deque<std::uint64_t> fills;         // slots of tiles to be filled
     // Rows still to be written: address -> (strobes, pixels of the row).
     struct Row {
       std::uint64_t x, y, strb = 0;
+      bool filled = false;
     };
     std::map<std::uint64_t, Row> rows;
     std::map<std::uint64_t, int> rows_left;  // of each slot
@@ -78,6 +82,8 @@ class TileGather : public testing::TestWithParam<std::tuple<Unit, Stalls>> {
         s.colour = colour_of(s.tag.x, s.tag.y);
         set_port(dut_->in_i, s);
       }
+      if (!dut_->fill_valid_i) dut_->fill_valid_i = !fills.empty() && source.open();
+      if (!fills.empty()) dut_->fill_slot_i = static_cast<std::uint8_t>(fills.front());
       dut_->out_ready_i = sink.open();
       dut_.settle();
       EXPECT_EQ(dut_->idle_o, rows_left.empty());
@@ -94,7 +100,7 @@ class TileGather : public testing::TestWithParam<std::tuple<Unit, Stalls>> {
           EXPECT_EQ(req.beats, size / 4);
           EXPECT_EQ(req.strb, row->second.strb);
           for (unsigned i = 0; i < size; ++i)
-            if (req.strb >> (4 * i) & 1) EXPECT_EQ(req.data[i], colour_of(row->second.x + i, row->second.y)) << i;
+            if (req.strb >> (4 * i) & 1) EXPECT_EQ(req.data[i], row->second.filled ? kFill : colour_of(row->second.x + i, row->second.y)) << i;
           for (auto slot = rows_left.begin(); slot != rows_left.end(); ++slot)
             if (owner_[req.addr] == slot->first && --slot->second == 0) {
               rows_left.erase(slot);
@@ -114,13 +120,15 @@ class TileGather : public testing::TestWithParam<std::tuple<Unit, Stalls>> {
         const tile_t& t = tiles[asked++];
         EXPECT_EQ(rows_left.count(t.slot), 0u) << "a slot was given away";
         rows_left[t.slot] = static_cast<int>(t.height);
+        const bool filled = fill_every > 0 && asked % static_cast<std::size_t>(fill_every) == 0;
+        if (filled) fills.push_back(t.slot);
         for (std::uint64_t y = t.y; y < t.y + t.height; ++y) {
-          Row row{t.x / size * size, y};
+          Row row{t.x / size * size, y, 0, filled};
           for (std::uint64_t x = t.x; x < t.x + t.width; ++x) {
             row.strb |= std::uint64_t{15} << (4 * (x - row.x));
             pixel_tag_t tag;
             tag.x = x, tag.y = y, tag.slot = t.slot;
-            pixels.push_back(tag);
+            if (!filled) pixels.push_back(tag);
           }
           const std::uint64_t addr = (kBase + y * stride + row.x * 4) % (std::uint64_t{1} << AddrW);
           EXPECT_EQ(rows.count(addr), 0u);
@@ -129,14 +137,17 @@ class TileGather : public testing::TestWithParam<std::tuple<Unit, Stalls>> {
         }
         asking = false;
       }
+      const bool took_fill = dut_->fill_valid_i && dut_->fill_ready_o;
       dut_.tick();
+      if (took_fill) fills.pop_front(), dut_->fill_valid_i = 0;
     }
     EXPECT_EQ(written, total);
-    dut_->tile_valid_i = dut_->in_valid_i = dut_->out_ready_i = 0;
+    dut_->tile_valid_i = dut_->in_valid_i = dut_->fill_valid_i = dut_->out_ready_i = 0;
     dut_.settle();
     EXPECT_TRUE(dut_->idle_o);
     return dut_.cycles() - start;
   }
+  int fill_every = 0;   // each so many tiles one is filled
   std::map<std::uint64_t, std::uint64_t> owner_;  // address of a row -> slot
   Dut<Vtile_gather> dut_;
 };
@@ -150,6 +161,11 @@ TEST_P(TileGather, WritesEachPixelOnce) {
 }
 INSTANTIATE_TEST_SUITE_P(Units, TileGather, testing::Combine(testing::ValuesIn(kUnits), testing::ValuesIn(kStallPatterns)),
                          [](const auto& info) { return std::string(std::get<0>(info.param).name) + "_" + std::get<1>(info.param).name; });
+
+TEST_P(TileGather, FillsTilesBetweenOthers) {
+  const auto& [unit, stalls] = GetParam();
+  for (fill_every = 1; fill_every <= 3; ++fill_every) run(unit, tiles_of({3, 5, 50, 39}, unit), 4096, stalls);
+}
 
 TEST_F(TileGather, ReachesTheLastPixelOfTheLargestFrame) {
   for (const Unit& unit : kUnits) {
@@ -171,7 +187,7 @@ TEST_F(TileGather, HoldsEverySlotWhileBlocked) {
   for (const Unit& unit : kUnits) {
     dut_.reset(1);
     dut_->select_i = unit.select;
-    dut_->in_valid_i = dut_->out_ready_i = 0;
+    dut_->in_valid_i = dut_->fill_valid_i = dut_->out_ready_i = 0;
     int granted = 0;
     for (int i = 0; i < unit.slots + 5; ++i) {
       tile_t t;
@@ -228,7 +244,7 @@ TEST_F(TileGather, StartsCleanAfterAReset) {
         dut_->out_ready_i = i & 1;
         dut_.tick();
       }
-      dut_->tile_valid_i = dut_->in_valid_i = 0;
+      dut_->tile_valid_i = dut_->in_valid_i = dut_->fill_valid_i = 0;
       dut_.reset(1);
       run(unit, tiles, 64);
     }

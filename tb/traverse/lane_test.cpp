@@ -12,7 +12,7 @@ constexpr int kContexts = 8;
 
 class Lane : public testing::Test {
  protected:
-  Lane() { dut_->fill_i = dut_->ray_valid_i = dut_->test_valid_i = dut_->test_step_i = dut_->emit_i = dut_->hit_ready_i = 0; }
+  Lane() { dut_->hierarchy_i = dut_->fill_i = dut_->ray_valid_i = dut_->test_valid_i = dut_->test_step_i = dut_->emit_i = dut_->hit_ready_i = 0; }
 
   // Offers a ray until it is taken.
   void fill(const ray_t& ray) {
@@ -36,7 +36,7 @@ class Lane : public testing::Test {
       const bool step = dut_->test_ready_o && gate.open();
       dut_->test_step_i = step;
       dut_.settle();
-      tests += dut_->test_o;
+      tests += static_cast<int>(get_port<lane_events_t>(dut_->events_o).test);
       ctx += step;
       dut_.tick();
     }

@@ -34,18 +34,23 @@ class LineFetch : public testing::TestWithParam<Stalls> {
     faulted = dut->fault_o != ErrNone;
     if (faulted) EXPECT_EQ(dut->fault_o, ErrNode);
     const bool out = dut->out_valid_o && dut->out_ready_i;
-    if (out) ctx = dut->out_ctx_o, std::memcpy(data.data(), &dut->out_data_o[0], sizeof data);
+    if (out) ctx = dut->out_ctx_o, got_index = static_cast<int>(dut->out_index_o), std::memcpy(data.data(), &dut->out_data_o[0], sizeof data);
     hits += dut->hit_o, misses += dut->miss_o, waits += dut->wait_o;
     memory.tick(dut->req_valid_o, get_port<line_req_t>(dut->req_o), fill && dut->fill_ready_o);
     dut.tick();
     dut->visit_valid_i = 0;
     return out;
   }
+  // From the step of the even contexts, or that of the odd.
   void visit(int of, line_t index) {
-    dut->visit_valid_i = 1, dut->visit_ctx_i = of, dut->visit_index_i = index;
+    const int step = of % 2;
+    ref_t ref;
+    ref.kind = RefNode, ref.index = index;
+    dut->visit_valid_i |= 1 << step, dut->visit_ctx_i[step] = of;
+    set_port(dut->visit_ref_i[step], ref);
   }
   Dut<Vline_fetch> dut;
-  int ctx = 0;
+  int ctx = 0, got_index = 0;
   line_data_t data;
   bool faulted = false;
   long hits = 0, misses = 0, waits = 0;
@@ -60,8 +65,9 @@ TEST_P(LineFetch, GivesEachContextItsLine) {
   int given = 0, faults = 0, behind = 0;
   for (long cycles = 0; given < 5000; ++cycles) {
     ASSERT_LT(cycles, 600000) << "contexts wait for ever";
-    const int of = static_cast<int>(rng() % kContexts);
-    if (index[of] < 0) {
+    for (int step = 0; step < 2; ++step) {
+      const int of = step + 2 * static_cast<int>(rng() % (kContexts / 2));
+      if (index[of] >= 0) continue;
       const bool outside = rng() % 100 == 0;
       const line_t to = outside ? kCount + (rng() % 3) * rng() % 100000 : rng() % kCount;
       visit(of, to);
@@ -71,6 +77,7 @@ TEST_P(LineFetch, GivesEachContextItsLine) {
     dut->out_ready_i = sink.open();
     if (cycle(memory)) {
       ASSERT_GE(index[ctx], 0) << "context " << ctx << " asked for nothing";
+      ASSERT_EQ(got_index, index[ctx]);
       ASSERT_EQ(data, line_of(kBase + static_cast<line_no_t>(index[ctx])));
       index[ctx] = -1;
       ++given;
@@ -78,7 +85,11 @@ TEST_P(LineFetch, GivesEachContextItsLine) {
     faults += faulted;
   }
   dut->out_ready_i = 1;
-  for (int i = 0; i < 200; ++i) cycle(memory), faults += faulted;
+  for (int i = 0; i < 1000; ++i) {
+    if (cycle(memory)) index[ctx] = -1;
+    faults += faulted;
+  }
+  EXPECT_EQ(std::count(index.begin(), index.end(), -1), kContexts) << "a line was lost";
   EXPECT_EQ(faults, behind);
   EXPECT_GT(hits, 500);
   EXPECT_GT(misses, 500);

@@ -30,12 +30,12 @@ class NearestUnit : public testing::Test {
   void expect(int ctx, const Nearest& model) {
     dut_->out_ctx_i = ctx;
     dut_->node_ctx_i = ctx;
-    dut_->step_ctx_i = ctx;
+    dut_->step_ctx_i[0] = kContexts - 1, dut_->step_ctx_i[ctx % 2] = ctx;
     dut_.settle();
     const t_t t = model.best().t;
     EXPECT_EQ(get_signed(dut_->node_t_o, t_t_bits), t);
-    EXPECT_EQ(dut_->step_reach_o, t < 0 ? 0 : t / (1 << (CoordW + TFrac - DistW)));
-    EXPECT_EQ(dut_->step_found_o, model.found());
+    EXPECT_EQ(dut_->step_reach_o[ctx % 2], t < 0 ? 0 : t / (1 << (CoordW + TFrac - DistW)));
+    EXPECT_EQ(dut_->step_found_o >> ctx % 2 & 1, model.found());
     ASSERT_EQ(dut_->out_found_o, model.found());
     result_t expected = model.best();
     expected.ctx = static_cast<ctx_t>(ctx);

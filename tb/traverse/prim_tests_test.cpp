@@ -82,11 +82,11 @@ class PrimTests : public testing::Test {
     ray.valid = 1, ray.ignore = NoPrim;
     const hit_t hit = model_hit(ray, c.sent, tests);
     dut->start_i = dut->test_valid_i = 0;
-    dut->out_ctx_i = dut->step_ctx_i = ctx;
+    dut->out_ctx_i = dut->step_ctx_i[0] = dut->step_ctx_i[1] = ctx;
     dut.settle();
     const result_t best = get_port<result_t>(dut->out_o);
     ASSERT_EQ(dut->out_found_o, hit.found);
-    ASSERT_EQ(dut->step_found_o, hit.found);
+    ASSERT_EQ(dut->step_found_o, hit.found ? 3 : 0);
     EXPECT_EQ(best.t, hit.t);
     EXPECT_EQ(best.number, hit.number);
     EXPECT_EQ(best.u, hit.u);

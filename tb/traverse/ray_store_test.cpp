@@ -26,18 +26,18 @@ class RayStore : public testing::Test {
     set_port(dut_->ray_i, ray);
   }
   // What each reader sees of its context, all in one cycle.
-  enum Reader { Test, Look, Node, Step, Hit, Out, kReaders };
+  enum Reader { Test, Look, Node, Even, Odd, Hit, Out, kReaders };
   void expect(const std::array<int, kReaders>& ctx, const std::vector<ray_t>& rays) {
     const auto of = [&](Reader reader) -> const ray_t& { return rays[static_cast<std::size_t>(ctx[reader])]; };
     dut_->test_ctx_i = ctx[Test], dut_->look_ctx_i = ctx[Look], dut_->node_ctx_i = ctx[Node];
-    dut_->step_ctx_i = ctx[Step], dut_->hit_ctx_i = ctx[Hit], dut_->out_ctx_i = ctx[Out];
+    dut_->step_ctx_i[0] = ctx[Even], dut_->step_ctx_i[1] = ctx[Odd], dut_->hit_ctx_i = ctx[Hit], dut_->out_ctx_i = ctx[Out];
     dut_.settle();
     const ray_t& out = of(Out);
     EXPECT_EQ(to_text(get_port<test_ray_t>(dut_->test_ray_o)), to_text(test_ray_of(of(Test))));
     EXPECT_EQ(dut_->look_valid_o, of(Look).valid);
     EXPECT_EQ(dut_->look_ignore_o, of(Look).ignore);
     EXPECT_EQ(to_text(get_port<slab_ray_t>(dut_->node_ray_o)), to_text(slab_ray_of(of(Node))));
-    EXPECT_EQ(dut_->step_any_hit_o, of(Step).any_hit);
+    EXPECT_EQ(dut_->step_any_hit_o, of(Even).any_hit | of(Odd).any_hit << 1);
     EXPECT_EQ(to_text(get_port<hit_ray_t>(dut_->hit_ray_o)), to_text(hit_ray_of(of(Hit))));
     EXPECT_EQ(to_text(get_port<pixel_tag_t>(dut_->out_tag_o)), to_text(out.tag));
     EXPECT_EQ(get_signed(dut_->out_sx_o, shear_t_bits), out.sx);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the directions of all rays of a tile lie between, from the rays of its four corner pixels in
+// the order of the walk. t runs along the ray, so dx/dt is sx, or -sx where neg.
+//   low  = floor((least - 2^-ShearFrac) 2^16) 2^-16      of the four, and one last bit beyond
+//   high = ceil((most + 2^-ShearFrac) 2^16) 2^-16        (docs/tile-start.md)
+// valid: all four are valid and have the same dominant axis and sign. One tile for each four rays,
+// a cycle after the fourth.
+// Model: cpp_model/traverse/tile_bounds.hpp, equal bit for bit.
+module tile_bounds
+  import castray_cfg_pkg::*;
+  import castray_pkg::*;
+(
+  input  logic         clk_i,
+  input  logic         rst_ni,
+
+  input  logic         in_valid_i,
+  output logic         in_ready_o,
+  input  ray_t         in_i,
+
+  output logic         out_valid_o,
+  input  logic         out_ready_i,
+  output tile_bounds_t out_o
+);
+  localparam int unsigned Drop = ShearFrac - TileSlopeFrac;
+  typedef logic signed [ShearFrac+1:0] wide_t;
+
+  // ---- The ray's slopes, and their range so far ----
+  typedef struct packed {
+    shear_t least, most;
+  } range_t;
+  logic [1:0] count_q;
+  logic       first, last, take, same;
+  logic       valid_q, neg_q;
+  axis_t      axis_q;
+  range_t     x_q, y_q, x, y;
+  shear_t     slope_x, slope_y;
+
+  assign first   = count_q == 2'd0;
+  assign last    = count_q == 2'd3;
+  assign take    = in_valid_i && in_ready_o;
+  assign slope_x = in_i.neg ? -in_i.sx : in_i.sx;
+  assign slope_y = in_i.neg ? -in_i.sy : in_i.sy;
+  assign same    = in_i.valid && (first || (valid_q && in_i.axis == axis_q && in_i.neg == neg_q));
+
+  function automatic range_t widened(range_t range, shear_t slope, logic alone);
+    shear_t least, most;
+    least = range.least;
+    most  = range.most;
+    return '{least: (alone || slope < least) ? slope : least, most: (alone || slope > most) ? slope : most};
+  endfunction
+  assign x = widened(x_q, slope_x, first);
+  assign y = widened(y_q, slope_y, first);
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) count_q <= '0;
+    else if (take) count_q <= count_q + 1'b1;
+  end
+  always_ff @(posedge clk_i) begin
+    if (take) begin
+      x_q     <= x;
+      y_q     <= y;
+      valid_q <= same;
+      if (first) axis_q <= in_i.axis;
+      if (first) neg_q  <= in_i.neg;
+    end
+  end
+
+  // ---- Rounded outward ----
+  function automatic tile_slope_t low_of(range_t range);
+    shear_t least;
+    least = range.least;
+    return tile_slope_t'((wide_t'(least) - wide_t'(1)) >>> Drop);
+  endfunction
+  function automatic tile_slope_t high_of(range_t range);
+    shear_t most;
+    most = range.most;
+    return tile_slope_t'((wide_t'(most) + (wide_t'(1) <<< Drop)) >>> Drop);
+  endfunction
+
+  logic out_ready;
+  assign in_ready_o = !last || out_ready;
+  pipe_stage #(.data_t(tile_bounds_t)) u_out (
+    .clk_i, .rst_ni,
+    .valid_i(in_valid_i && last), .ready_o(out_ready),
+    .data_i('{valid: same, axis: axis_q, neg: neg_q,
+              x_low: low_of(x), x_high: high_of(x), y_low: low_of(y), y_high: high_of(y)}),
+    .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o)
+  );
+endmodule

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a tile's frontier as nodes of a ray's kind, up to four parts each, on one grid.
+//   measure   a part a cycle: the least and the greatest corner
+//   grid      origin = least, exp = the smallest with (greatest - least) >> exp <= 254
+//   planes    a part a cycle, rounded outward: low down, high up; a full node is written
+// 2 n + 1 cycles for n parts; none for n = 0.
+// Model: cpp_model/traverse/tile_node.hpp, equal bit for bit.
+module tile_node
+  import castray_cfg_pkg::*;
+  import castray_pkg::*;
+  import castray_image_pkg::*;
+(
+  input  logic       clk_i,
+  input  logic       rst_ni,
+
+  input  logic       start_i,      // held until done_o; parts stand still as long
+  input  logic [3:0] parts_i,      // 1 to TileParts
+  output logic       done_o,       // in the last cycle
+
+  output logic [2:0] part_o,       // which is wanted
+  input  part_t      part_i,
+
+  output logic       write_o,
+  output logic       second_o,     // of the two nodes
+  output node_t      node_o
+);
+  typedef enum logic [1:0] {Measure, Grid, Planes} phase_t;
+  phase_t     phase_q;
+  logic [2:0] at_q;
+  logic       last;
+
+  assign part_o = at_q;
+  assign last   = 4'(at_q) + 4'd1 == parts_i;
+  assign done_o = phase_q == Planes && last;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || !start_i || done_o) begin
+      phase_q <= Measure;
+      at_q    <= '0;
+    end else begin
+      unique case (phase_q)
+        Measure: if (last) phase_q <= Grid;
+        default: phase_q <= Planes;
+      endcase
+      at_q <= (last || phase_q == Grid) ? '0 : at_q + 1'b1;
+    end
+  end
+
+  // ---- Measure ----
+  function automatic coord_t least(coord_t a, coord_t b);
+    return (a < b) ? a : b;
+  endfunction
+  function automatic coord_t greatest(coord_t a, coord_t b);
+    return (a > b) ? a : b;
+  endfunction
+  point_t low, high, low_q, high_q;
+  assign low  = part_i.box.low;
+  assign high = part_i.box.high;
+  always_ff @(posedge clk_i) begin
+    if (start_i && phase_q == Measure) begin
+      low_q  <= (at_q == '0) ? low : '{x: least(low.x, low_q.x), y: least(low.y, low_q.y), z: least(low.z, low_q.z)};
+      high_q <= (at_q == '0) ? high : '{x: greatest(high.x, high_q.x), y: greatest(high.y, high_q.y), z: greatest(high.z, high_q.z)};
+    end
+  end
+
+  // ---- Grid: the eight bits from the extent's top one down, or one less fine where they are all ones ----
+  function automatic plane_exp_t exp_of(coord_t extent);
+    plane_exp_t exp;
+    exp = '0;
+    for (int unsigned i = 1; i <= CoordFieldW - 8; i++) if (extent[i+7]) exp = plane_exp_t'(i);
+    return ((extent >> exp) == coord_t'(255)) ? exp + 1'b1 : exp;
+  endfunction
+  plane_exp_t exp_x_q, exp_y_q, exp_z_q;
+  always_ff @(posedge clk_i) begin
+    if (phase_q == Grid) begin
+      exp_x_q <= exp_of(high_q.x - low_q.x);
+      exp_y_q <= exp_of(high_q.y - low_q.y);
+      exp_z_q <= exp_of(high_q.z - low_q.z);
+    end
+  end
+
+  // ---- Planes ----
+  function automatic plane_t down(coord_t p, coord_t origin, plane_exp_t exp);
+    coord_t away;
+    away = p - origin;
+    return plane_t'(away >> exp);
+  endfunction
+  function automatic plane_t up(coord_t p, coord_t origin, plane_exp_t exp);
+    coord_t away;
+    away = p - origin;
+    return plane_t'(away >> exp) + plane_t'((away & ~({CoordFieldW{1'b1}} << exp)) != '0);
+  endfunction
+  child_box_t       box, none;
+  child_box_t [2:0] boxes_q;      // of the node's parts so far
+  ref_word_t  [2:0] words_q;
+  ref_word_t        word;
+  logic [3:0]       there;
+  assign none = '0;
+  assign box  = '{
+    x0: down(low.x, low_q.x, exp_x_q), x1: up(high.x, low_q.x, exp_x_q),
+    y0: down(low.y, low_q.y, exp_y_q), y1: up(high.y, low_q.y, exp_y_q),
+    z0: down(low.z, low_q.z, exp_z_q), z1: up(high.z, low_q.z, exp_z_q)
+  };
+  assign word = 32'(part_i.target);
+  always_ff @(posedge clk_i) begin
+    if (phase_q == Planes) begin
+      for (int unsigned i = 0; i < 3; i++) begin
+        if (at_q[1:0] == 2'(i)) begin
+          boxes_q[i] <= box;
+          words_q[i] <= word;
+        end
+      end
+    end
+  end
+
+  assign there    = 4'b1111 >> (2'd3 - at_q[1:0]);   // the node's parts, this one included
+  assign write_o  = phase_q == Planes && (last || at_q[1:0] == 2'd3);
+  assign second_o = at_q[2];
+  function automatic child_box_t box_at(int unsigned i);
+    return !there[i] ? none : (at_q[1:0] == 2'(i)) ? box : boxes_q[i % 3];
+  endfunction
+  function automatic ref_word_t word_at(int unsigned i);
+    return !there[i] ? '0 : (at_q[1:0] == 2'(i)) ? word : words_q[i % 3];
+  endfunction
+  assign node_o = '{
+    x: low_q.x, y: low_q.y, z: low_q.z, exp_x: exp_x_q, exp_y: exp_y_q, exp_z: exp_z_q,
+    ref0: word_at(0), ref1: word_at(1), ref2: word_at(2), ref3: word_at(3),
+    box0: box_at(0), box1: box_at(1), box2: box_at(2), box3: box_at(3), reserved: '0
+  };
+endmodule

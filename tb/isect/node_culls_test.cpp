@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the node test drops: never a box through which the line passes where a hit could be of use,
+// and never one with a primitive that the exact test hits; seldom less than exact arithmetic would.
+// A million boxes each, or as many as the environment's CASTRAY_PAIRS says.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "isect/hit_unit.hpp"
+#include "node_cases.hpp"
+
+namespace castray::tb {
+namespace {
+
+long pairs() {
+  const char* text = std::getenv("CASTRAY_PAIRS");
+  return text ? std::atol(text) : 1000000;
+}
+
+// The first t of a stretch.
+Fraction entry_t_of(const Stretch& z, bool neg) { return neg ? Fraction{-z.last.num, z.last.den} : z.first; }
+
+TEST(NodeCulls, NoBoxThatTheLinePassesThrough) {
+  Rng rng(81);
+  long seen = 0, passed = 0, zero = 0, inside_box = 0, behind = 0;
+  while (seen < pairs()) {
+    const NodeCase c = random_node_case(rng);
+    bool illegal = false;
+    const visits_t visits = node_pipe(c.ray, c.node, c.t, illegal);
+    ASSERT_FALSE(illegal);
+    for (int child = 0; child < 4; ++child) {
+      if (child_ref(c.node, child) == 0) continue;
+      ++seen;
+      const Stretch z = useful(c, child, kBoxMarginT);
+      if (z.empty) continue;
+      ++passed;
+      zero += c.sx == 0 || c.sy == 0;
+      inside_box += z.first < Fraction{0} && Fraction{0} < z.last;
+      behind += c.ray.tmin < 0;
+      ASSERT_TRUE(visited(visits, c.node, child)) << "child " << child << "\n" << to_text(c);
+    }
+  }
+  std::printf("%ld of %ld boxes passed through: %ld with a zero component, %ld from inside, %ld with a negative tmin; none dropped\n",
+              passed, seen, zero, inside_box, behind);
+  EXPECT_GT(passed, seen / 20);
+  EXPECT_GT(zero, seen / 100);
+  EXPECT_GT(inside_box, seen / 200);
+}
+
+// A child's least is not above the t at which the line enters its box, less the margin.
+TEST(NodeCulls, NeverLaterThanTheEntry) {
+  Rng rng(82);
+  constexpr int kShift = CoordW + TFrac - DistW;
+  long seen = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const NodeCase c = random_node_case(rng);
+    bool illegal = false;
+    const visits_t visits = node_pipe(c.ray, c.node, c.t, illegal);
+    for (int child = 0; child < 4; ++child) {
+      const Stretch z = inside(c.sx, c.sy, box_of(c.node, child, c.ray));
+      if (z.empty) continue;
+      const Fraction enters = entry_t_of(z, c.ray.neg);
+      for (int place = 0; place < 4; ++place) {
+        const entry_t& e = entry(visits, place);
+        if (e.target.kind == RefNone || (e.target.kind << LineW | e.target.index) != child_ref(c.node, child) || e.least == 0) continue;
+        ++seen;
+        // least 2^14 <= enters - 129/16, in sixteenths
+        const Fraction least{(int128{static_cast<std::int64_t>(e.least)} << kShift) + kBoxMarginT, 1 << TFrac};
+        ASSERT_FALSE(enters < least) << "child " << child << " least " << e.least << "\n" << to_text(c);
+      }
+    }
+  }
+  EXPECT_GT(seen, 10000);
+}
+
+// A box on the grid of a random node that holds it: outwards.
+struct Placed {
+  std::uint64_t origin, exp, low, high;
+};
+Placed place(Rng& rng, std::int64_t low, std::int64_t high) {
+  Placed p;
+  const std::int64_t room = std::min(low, std::int64_t{1} << rng.in(0, CoordW - 1));
+  p.origin = static_cast<std::uint64_t>(rng.in(low - room, low));
+  p.exp = 0;
+  while (static_cast<std::int64_t>(p.origin + (255u << p.exp)) < high) ++p.exp;
+  if (rng.chance(2)) p.exp = std::min<std::uint64_t>(p.exp + static_cast<std::uint64_t>(rng.in(0, 4)), MaxPlaneExp);
+  p.low = (static_cast<std::uint64_t>(low) - p.origin) >> p.exp;
+  p.high = (static_cast<std::uint64_t>(high) - p.origin + (1u << p.exp) - 1) >> p.exp;
+  return p;
+}
+
+// Its padded box, as docs/number-formats.md asks.
+struct World {
+  std::int64_t low[3], high[3];
+};
+World padded_box(const prim_slot_t& prim) {
+  const auto of = [](const point_t& p, int k) { return static_cast<std::int64_t>(k == 0 ? p.x : k == 1 ? p.y : p.z); };
+  World w;
+  for (int k = 0; k < 3; ++k) {
+    const std::int64_t a = of(prim.a, k), b = of(prim.b, k), c = of(prim.c, k);
+    if (prim.kind == KindSphere) {
+      const std::int64_t reach = static_cast<std::int64_t>(prim.b.x) + 7 + static_cast<std::int64_t>(prim.b.x >> 21);
+      w.low[k] = a - reach, w.high[k] = a + reach;
+    } else {
+      w.low[k] = std::min({a, b, c}) - 1, w.high[k] = std::max({a, b, c}) + 1;
+    }
+  }
+  return w;
+}
+
+TEST(NodeCulls, NoPrimitiveThatTheExactTestHits) {
+  Rng rng(83);
+  long tested = 0, spheres = 0;
+  while (tested < pairs()) {
+    PrimCase p = random_case(rng);
+    for (point_t* const point : {&p.ray.org, &p.prim.a, &p.prim.b, &p.prim.c}) {
+      if (p.prim.kind == KindSphere && point == &p.prim.b) continue;
+      point->x += 32, point->y += 32, point->z += 32;   // as the host's grid has it
+    }
+    cand_t cand;
+    if (!ray_prim(p.ray, p.prim, 0, cand)) continue;
+    hit_ray_t hit_ray;
+    hit_ray.norm2 = p.ray.norm2, hit_ray.neg = p.ray.neg, hit_ray.cull = p.ray.cull;
+    hit_ray.tmin = rng.chance(4) ? 0 : rng.chance(4) ? rng.in(-TMax, TMax) : -TMax - 1;
+    result_t hit;
+    if (!hit_unit(cand, hit_ray, hit)) continue;
+    const World box = padded_box(p.prim);
+    bool outside = false;   // a large sphere: not in a scene
+    for (int k = 0; k < 3; ++k) outside = outside || box.low[k] < 0 || box.high[k] > 2 * kHalf - 1;
+    if (outside) continue;
+
+    NodeCase c;
+    c.ray.org = p.ray.org, c.ray.axis = p.ray.axis, c.ray.neg = p.ray.neg;
+    c.ray.tmin = rng.chance(3) ? hit.t - 1 : hit_ray.tmin;
+    set_shear(c, p.ray.sx, p.ray.sy);
+    c.t = hit.t;
+    const Placed x = place(rng, box.low[0], box.high[0]), y = place(rng, box.low[1], box.high[1]), z = place(rng, box.low[2], box.high[2]);
+    c.node.x = x.origin, c.node.y = y.origin, c.node.z = z.origin;
+    c.node.exp_x = x.exp, c.node.exp_y = y.exp, c.node.exp_z = z.exp;
+    c.node.ref0 = RefLeaf << LineW | 5;
+    c.node.box0 = {.x0 = x.low, .y0 = y.low, .z0 = z.low, .x1 = x.high, .y1 = y.high, .z1 = z.high};
+    bool illegal = false;
+    const visits_t visits = node_pipe(c.ray, c.node, c.t, illegal);
+    ++tested;
+    spheres += p.prim.kind == KindSphere;
+    ASSERT_FALSE(illegal);
+    ASSERT_TRUE(visited(visits, c.node, 0)) << to_text(c) << "\nprim " << castray::to_text(p.prim);
+    ASSERT_LE(visits.e0.least, dist_of(hit.t)) << to_text(c) << "\nprim " << castray::to_text(p.prim);
+  }
+  std::printf("%ld primitives hit, %ld of them spheres; none of their boxes dropped\n", tested, spheres);
+  EXPECT_GT(spheres, tested / 20);
+}
+
+}  // namespace
+}  // namespace castray::tb

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// A lane that only follows the hierarchy.
+module lane_tree_tb
+  import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
+#(
+  parameter int unsigned Contexts  = DefaultContexts,
+  parameter int unsigned NodeLines = 512,
+  parameter int unsigned LeafLines = 512
+) (
+  input  logic         clk_i,
+  input  logic         rst_ni,
+  input  tree_t        tree_i,
+
+  input  logic         in_valid_i,
+  output logic         in_ready_o,
+  input  ray_t         in_i,
+  input  start_t       start_i,
+
+  input  logic         tile_write_i,
+  input  logic [4:0]   tile_index_i,
+  input  node_t        tile_node_i,
+
+  output logic         out_valid_o,
+  input  logic         out_ready_i,
+  output hit_t         out_o,
+  output work_t        work_o,
+  output error_t       fault_o,
+
+  output logic         node_req_valid_o,
+  input  logic         node_req_ready_i,
+  output line_req_t    node_req_o,
+  input  logic         node_fill_valid_i,
+  output logic         node_fill_ready_o,
+  input  line_fill_t   node_fill_i,
+  output logic         leaf_req_valid_o,
+  input  logic         leaf_req_ready_i,
+  output line_req_t    leaf_req_o,
+  input  logic         leaf_fill_valid_i,
+  output logic         leaf_fill_ready_o,
+  input  line_fill_t   leaf_fill_i,
+
+  output logic         empty_o,
+  output lane_events_t events_o
+);
+  lane #(.Contexts(Contexts), .NodeLines(NodeLines), .LeafLines(LeafLines), .TileNodes(32)) u_lane (
+    .clk_i, .rst_ni, .hierarchy_i(1'b1), .tree_i, .fill_i(1'b1), .emit_i(1'b1),
+    .ray_valid_i(in_valid_i), .ray_ready_o(in_ready_o), .ray_i(in_i), .start_i,
+    .test_valid_i(1'b0), .test_ready_o(), .test_step_i(1'b0), .test_ctx_i('0), .test_prim_i('0),
+    .tile_write_i, .tile_index_i, .tile_node_i,
+    .hit_valid_o(out_valid_o), .hit_ready_i(out_ready_i), .hit_o(out_o), .work_o, .fault_o,
+    .node_req_valid_o, .node_req_ready_i, .node_req_o, .node_fill_valid_i, .node_fill_ready_o, .node_fill_i,
+    .leaf_req_valid_o, .leaf_req_ready_i, .leaf_req_o, .leaf_fill_valid_i, .leaf_fill_ready_o, .leaf_fill_i,
+    .used_o(), .full_o(), .empty_o, .quiet_o(), .events_o
+  );
+
+`ifndef SYNTHESIS
+  stream_check #(.data_t(hit_t)) u_check_hit (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .data_i(out_o)
+  );
+`endif
+endmodule
