@@ -97,7 +97,7 @@ TEST(Driver, UnwrittenPixelsAreNoPixels) {
   sim::ModelDevice device;
   sim::Driver driver(device);
   driver.load(image());
-  const sim::Rendering part = driver.render({.hits = true, .z_order = false, .window = sim::PixelWindow{3, 3, 4, 4}});
+  const sim::Rendering part = driver.render({.mode = sim::Mode::kBvhRoot, .window = sim::PixelWindow{3, 3, 4, 4}});
   EXPECT_EQ(part.pixels[part.index(3, 3)] >> 24, 255u);
   EXPECT_EQ(part.pixels[part.index(4, 3)], 0xa5a5a5a5u);
   EXPECT_EQ(part.counters[CntRays], 1u);
