@@ -12,7 +12,11 @@ constexpr int kContexts = 8;
 
 class Lane : public testing::Test {
  protected:
-  Lane() { dut_->hierarchy_i = dut_->fill_i = dut_->ray_valid_i = dut_->test_valid_i = dut_->test_step_i = dut_->emit_i = dut_->hit_ready_i = 0; }
+  Lane() {
+    dut_->hierarchy_i = dut_->fill_i = dut_->ray_valid_i = dut_->test_valid_i = dut_->test_step_i = dut_->emit_i = dut_->hit_ready_i = 0;
+    dut_->node_fill_valid_i = dut_->leaf_fill_valid_i = dut_->tile_write_i = 0;  // no line comes
+    dut_.reset();
+  }
 
   // Offers a ray until it is taken.
   void fill(const ray_t& ray) {
