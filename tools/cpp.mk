@@ -23,8 +23,8 @@ TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
 
 # tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated
 # model; a comment line "// Verilator: <flags>" in the test adds flags. Else it is a test of C++ only.
-# The models of units are headers; only the tests of scenes and references are linked to the
-# library, and those of units that say "// Links the library." Those of the simulator and of whole
+# The models of units are headers; only the tests of scenes, references and docs are linked to
+# the library, and those of units that say "// Links the library." Those of the simulator and of whole
 # frames: tools/core.mk.
 TESTS       := $(shell find tb -name '*_test.cpp' | sort)
 UNIT_TESTS  := $(foreach t,$(TESTS),$(if $(wildcard $(t:tb/%_test.cpp=rtl/%.sv) $(t:%_test.cpp=%_tb.sv)),$(t)))
@@ -43,7 +43,7 @@ endef
 $(foreach t,$(UNIT_TESTS),$(eval $(call unit_test,$(t:tb/%_test.cpp=%))))
 $(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(shell grep -l '^// Links the library.' $(UNIT_TESTS))): $(LIB)
 
-LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,scene reference)),$(MODEL_TESTS))
+LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,docs scene reference)),$(MODEL_TESTS))
 $(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)
 $(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(RECORDS)
 	@mkdir -p $(@D)

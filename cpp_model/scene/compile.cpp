@@ -66,7 +66,7 @@ class Compiler {
     bounds(scene_, low, high);
     for (int i = 0; i < 3; ++i) {
       const double eye = scene_.camera.eye()[i];
-      if (!(std::abs(eye) <= 0x1p60)) throw SceneError(scene_.file, "camera", "the eye at " + text_of(eye) + " is outside the number range, +-2^60");
+      if (!(std::abs(eye) <= kLargestCoordinate)) throw SceneError(scene_.file, "camera", "the eye at " + text_of(eye) + " is " + kOutside);
       low[i] = std::min(low[i], eye);
       high[i] = std::max(high[i], eye);
     }
@@ -127,10 +127,9 @@ class Compiler {
 
   tex_t texture(double x) const {
     const double fixed = std::round(std::ldexp(x, UnitFrac));
-    if (!(std::abs(fixed) < std::ldexp(1, tex_t_bits - 1))) {
-      const std::string most = std::to_string(1 << (TexInt - 1));
-      throw SceneError(scene_.file, "triangle " + std::to_string(attributes_.size()), "texture coordinate " + text_of(x) + " is not between -" + most + " and " + most);
-    }
+    if (!(std::abs(fixed) < std::ldexp(kTextureEnd, UnitFrac)))
+      throw SceneError(scene_.file, "triangle " + std::to_string(attributes_.size()),
+                       "texture coordinate " + text_of(x) + " is not " + text_of(Limits{-kTextureEnd, kTextureEnd}));
     return static_cast<tex_t>(fixed);
   }
 

@@ -13,7 +13,7 @@ std::uint64_t word(const Rgb& rgb) { return rgb[0] | std::uint64_t{rgb[1]} << 8 
 
 void set_lens(frame_record_t& frame, const Scene& scene, int width, int height) {
   const double fov = scene.camera.field_of_view;
-  if (!(fov >= 0.01 && fov <= 179)) throw SceneError(scene.file, "camera", "field of view of " + text_of(fov) + " degrees is not between 0.01 and 179");
+  if (!kFieldOfView.hold(fov)) throw SceneError(scene.file, "camera", "field of view of " + text_of(fov) + " degrees is not " + text_of(kFieldOfView));
   // Focal in units of the pitch, which is a power of two: only focal is rounded.
   const long double focal = height / std::tan(static_cast<long double>(fov) * std::numbers::pi_v<long double> / 360);
   const long double largest = std::max(focal, static_cast<long double>(std::max(width, height)));
@@ -51,8 +51,11 @@ void set_matrix(frame_record_t& frame, const Scene& scene) {
 }  // namespace
 
 frame_record_t frame_record(const Scene& scene, const Grid& grid, int width, int height) {
-  if (width < 1 || width > MaxFrameSize || height < 1 || height > MaxFrameSize)
-    throw SceneError(scene.file, "size", std::to_string(width) + " x " + std::to_string(height) + " is not between 1 x 1 and " + std::to_string(MaxFrameSize) + " x " + std::to_string(MaxFrameSize));
+  if (!kFrameSize.hold(width) || !kFrameSize.hold(height)) {
+    const auto square = [](double side) { return text_of(side) + " x " + text_of(side); };
+    throw SceneError(scene.file, "size", std::to_string(width) + " x " + std::to_string(height) + " is not between " +
+                                             square(kFrameSize.least) + " and " + square(kFrameSize.most));
+  }
   frame_record_t frame;
   set_lens(frame, scene, width, height);
   set_matrix(frame, scene);
@@ -69,9 +72,9 @@ frame_record_t frame_record(const Scene& scene, const Grid& grid, int width, int
   frame.background = word(scene.paint.background);
   frame.colour_a = word(scene.paint.colour_a);
   frame.colour_b = word(scene.paint.colour_b);
-  const double cells = std::round(std::ldexp(scene.paint.checker_scale, CheckerFrac));
-  if (!(cells >= 0 && cells < std::ldexp(1, checker_t_bits))) throw SceneError(scene.file, "checker", "scale " + text_of(scene.paint.checker_scale) + " is not between 0 and " + std::to_string(kMaxCheckerScale));
-  frame.checker_scale = static_cast<std::uint64_t>(cells);
+  const double scale = scene.paint.checker_scale;
+  if (!kCheckerScale.hold(scale)) throw SceneError(scene.file, "checker", "scale " + text_of(scale) + " is not " + text_of(kCheckerScale));
+  frame.checker_scale = static_cast<std::uint64_t>(std::llround(std::ldexp(scale, CheckerFrac)));
   frame.width = static_cast<std::uint64_t>(width);
   frame.height = static_cast<std::uint64_t>(height);
   frame.pixel_format = static_cast<std::uint64_t>(scene.pixel_format);

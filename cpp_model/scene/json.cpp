@@ -10,16 +10,16 @@
 
 namespace castray {
 
-double JsonValue::number(double least, double most) const {
+double JsonValue::number(const Limits& limits) const {
   const double x = number();
-  if (!(x >= least && x <= most)) fail(text_of(x) + " is not between " + text_of(least) + " and " + text_of(most));
+  if (!limits.hold(x)) fail(text_of(x) + " is not " + text_of(limits));
   return x;
 }
 
-int JsonValue::whole(int least, int most) const {
+int JsonValue::whole(const Limits& limits) const {
   const double x = number();
   if (x != std::floor(x)) fail(text_of(x) + " is not a whole number");
-  return static_cast<int>(number(least, most));
+  return static_cast<int>(number(limits));
 }
 
 namespace {

@@ -2,10 +2,11 @@
 // A value of a JSON file that knows its place, so that every complaint names it: "meshes[0].file".
 #pragma once
 #include <algorithm>
-#include <initializer_list>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "scene/limits.hpp"
 #include "scene/scene.hpp"
 
 namespace castray {
@@ -17,10 +18,10 @@ class JsonValue {
   [[noreturn]] void fail(const std::string& cause) const { throw SceneError(file_, place_.empty() ? "scene" : place_, cause); }
 
   // An object with no other keys than these.
-  void allow(std::initializer_list<const char*> keys) const {
+  template <std::size_t N> void allow(const char* const (&keys)[N]) const {
     if (!value_.is_object()) fail("must be an object");
     for (const auto& item : value_.items())
-      if (std::none_of(keys.begin(), keys.end(), [&](const char* known) { return item.key() == known; }))
+      if (std::none_of(std::begin(keys), std::end(keys), [&](const char* known) { return item.key() == known; }))
         fail("unknown key \"" + item.key() + "\"");
   }
   bool has(const char* key) const { return value_.is_object() && value_.contains(key); }
@@ -44,8 +45,8 @@ class JsonValue {
     if (!value_.is_number()) fail("must be a number");
     return value_.get<double>();
   }
-  double number(double least, double most) const;  // and between these
-  int whole(int least, int most) const;
+  double number(const Limits& limits) const;  // and within these
+  int whole(const Limits& limits) const;
   std::string text() const {
     if (!value_.is_string()) fail("must be a string");
     return value_.get<std::string>();

@@ -8,15 +8,10 @@
 #include "scene/vectors.hpp"
 
 namespace castray {
-namespace {
-
-constexpr double kLargest = 0x1p60;
-
-}  // namespace
 
 void check_coordinate(double x, const std::string& file, const std::string& place) {
   if (!std::isfinite(x)) throw SceneError(file, place, text_of(x) + " is not a finite number");
-  if (std::abs(x) > kLargest) throw SceneError(file, place, text_of(x) + " is outside the number range, +-2^60");
+  if (std::abs(x) > kLargestCoordinate) throw SceneError(file, place, text_of(x) + " is " + kOutside);
 }
 
 void add_mesh(Scene& scene, const Mesh& mesh, const Matrix& object_to_world, Material material, const std::string& file) {

@@ -61,8 +61,6 @@ struct FrameSize {
 
 enum class PixelFormat : std::uint8_t { Rgba8 = PixelRgba8, Bgra8 = PixelBgra8 };
 
-inline constexpr int kMaxCheckerScale = (1 << CheckerInt) - 1;
-
 struct Paint {
   Rgb background = {24, 28, 38};
   Rgb colour_a = {236, 228, 208};

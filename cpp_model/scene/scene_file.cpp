@@ -30,7 +30,7 @@ Rgb colour(const JsonValue& value) {
   if (value.is_array()) {
     const auto list = value.elements();
     if (list.size() != 3) value.fail("must be three numbers or \"#rrggbb\"");
-    for (int i = 0; i < 3; ++i) rgb[i] = static_cast<std::uint8_t>(list[i].whole(0, 255));
+    for (int i = 0; i < 3; ++i) rgb[i] = static_cast<std::uint8_t>(list[i].whole({0, 255}));
     return rgb;
   }
   const std::string text = value.text();
@@ -44,7 +44,7 @@ void note_default(Scene& scene, const std::string& what, const std::string& valu
 
 // One step of a list of transformations.
 Matrix step(const JsonValue& value) {
-  value.allow({"translate", "rotate", "degrees", "scale", "flip"});
+  value.allow(kStepKeys);
   const int kinds = value.has("translate") + value.has("rotate") + value.has("scale") + value.has("flip");
   if (kinds != 1) value.fail("must be one of translate, rotate, scale and flip");
   if (value.has("degrees") && !value.has("rotate")) value.fail("unknown key \"degrees\"");
@@ -89,8 +89,8 @@ Matrix matrix(const JsonValue& value) {
 }
 
 void read_camera(const JsonValue& value, Scene& scene, const std::string& file) {
-  value.allow({"camera_to_world", "eye", "look_at", "up", "field_of_view"});
-  if (value.has("field_of_view")) scene.camera.field_of_view = value["field_of_view"].number(0.01, 179);
+  value.allow(kCameraKeys);
+  if (value.has("field_of_view")) scene.camera.field_of_view = value["field_of_view"].number(kFieldOfView);
   else note_default(scene, "field of view", text_of(scene.camera.field_of_view) + " degrees");
   if (value.has("camera_to_world")) {
     for (const char* key : {"eye", "look_at", "up"})
@@ -111,7 +111,7 @@ void read_camera(const JsonValue& value, Scene& scene, const std::string& file) 
 }
 
 void read_checker(const JsonValue& value, Scene& scene) {
-  value.allow({"colours", "scale"});
+  value.allow(kCheckerKeys);
   if (value.has("colours")) {
     const auto colours = value["colours"].elements();
     if (colours.size() != 2) value["colours"].fail("must be two colours");
@@ -121,7 +121,7 @@ void read_checker(const JsonValue& value, Scene& scene) {
     note_default(scene, "checker colours", hex(scene.paint.colour_a) + " and " + hex(scene.paint.colour_b));
   }
   if (value.has("scale")) {
-    const double scale = value["scale"].number(0, kMaxCheckerScale);
+    const double scale = value["scale"].number(kCheckerScale);
     scene.paint.checker_scale = std::round(scale * (1 << CheckerFrac)) / (1 << CheckerFrac);
     if (scene.paint.checker_scale != scale)
       scene.warnings.push_back(scene.file + ": checker.scale: " + text_of(scale) + " rounded to " + text_of(scene.paint.checker_scale));
@@ -132,7 +132,7 @@ void read_checker(const JsonValue& value, Scene& scene) {
 
 void read_meshes(const JsonValue& value, Scene& scene, const std::filesystem::path& folder) {
   for (const JsonValue& one : value.elements()) {
-    one.allow({"file", "object_to_world", "material"});
+    one.allow(kMeshKeys);
     MeshSource source;
     source.file = (folder / one["file"].text()).lexically_normal().string();
     if (one.has("object_to_world")) source.object_to_world = matrix(one["object_to_world"]);
@@ -144,7 +144,7 @@ void read_meshes(const JsonValue& value, Scene& scene, const std::filesystem::pa
 
 void read_spheres(const JsonValue& value, Scene& scene) {
   for (const JsonValue& one : value.elements()) {
-    one.allow({"centre", "radius", "material"});
+    one.allow(kSphereKeys);
     Sphere sphere;
     sphere.centre = one["centre"].vec3();
     sphere.radius = one["radius"].number();
@@ -153,7 +153,7 @@ void read_spheres(const JsonValue& value, Scene& scene) {
     try {
       for (int i = 0; i < 3; ++i) check_coordinate(std::abs(sphere.centre[i]) + sphere.radius, "", "");
     } catch (const SceneError&) {
-      one.fail("outside the number range, +-2^60");
+      one.fail(kOutside);
     }
     scene.spheres.push_back(sphere);
   }
@@ -164,14 +164,14 @@ Scene read_scene(const nlohmann::json& json, const std::string& file, const std:
   Scene scene;
   scene.file = file;
   const JsonValue root(json, file, "");
-  root.allow({"description", "size", "camera", "background", "checker", "pixel_format", "meshes", "spheres"});
+  root.allow(kSceneKeys);
 
   if (root.has("description")) scene.description = root["description"].text();
   if (root.has("size")) {
     const auto size = root["size"].elements();
     if (size.size() != 2) root["size"].fail("must be width and height");
-    scene.width = size[0].whole(1, MaxFrameSize);
-    scene.height = size[1].whole(1, MaxFrameSize);
+    scene.width = size[0].whole(kFrameSize);
+    scene.height = size[1].whole(kFrameSize);
   } else if (!frame) {
     note_default(scene, "size", std::to_string(scene.width) + " x " + std::to_string(scene.height));
   }

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <string>
 
+#include "scene/limits.hpp"
+
 namespace castray {
 
 // The shortest text that reads back as the same number.
@@ -12,6 +14,9 @@ inline std::string text_of(double x) {
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, x);
   return std::string(buffer, end.ptr);
 }
+
+// "between 1 and 4096".
+inline std::string text_of(const Limits& limits) { return "between " + text_of(limits.least) + " and " + text_of(limits.most); }
 
 // "1 triangle", "2 triangles".
 inline std::string counted(std::size_t n, const std::string& noun) {

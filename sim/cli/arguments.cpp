@@ -7,19 +7,20 @@
 #include <cstdio>
 #include <string_view>
 
+#include "scene/limits.hpp"
 #include "scene/load.hpp"
 #include "scene/text.hpp"
 
 namespace castray::cli {
 namespace {
 
-// "320x240", each 1 to MaxFrameSize.
+// "320x240".
 FrameSize parse_size(const std::string& text) {
   const auto numbers = parse_pair(text, 'x');
   if (!numbers) throw InputError("--size " + text + ": not of the form WIDTHxHEIGHT");
   const auto [width, height] = *numbers;
-  if (width < 1 || width > MaxFrameSize || height < 1 || height > MaxFrameSize)
-    throw InputError("--size " + text + ": width and height must be 1 to " + std::to_string(MaxFrameSize));
+  if (!kFrameSize.hold(static_cast<double>(width)) || !kFrameSize.hold(static_cast<double>(height)))
+    throw InputError("--size " + text + ": width and height must be " + text_of(kFrameSize));
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
