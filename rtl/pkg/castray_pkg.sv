@@ -413,22 +413,23 @@ package castray_pkg;
     logic        illegal;       // a register held bits outside its field
   } job_t;
 
+  // Error codes, and what people are told of them (docs/register-map.md says more).
   typedef enum logic [7:0] {
-    ErrNone        = 8'd0,
+    ErrNone        = 8'd0,   // the job was done
     ErrRegister    = 8'd1,   // a register holds an illegal value
-    ErrImage       = 8'd2,   // not a scene image of this version
-    ErrParameters  = 8'd3,   // an image for other bit widths
-    ErrSection     = 8'd4,   // a section of the image lies outside it
-    ErrFrameRecord = 8'd5,   // the frame record was made for another frame size, or is illegal
+    ErrImage       = 8'd2,   // no scene image is there, or one of another version
+    ErrParameters  = 8'd3,   // the image is for other bit widths
+    ErrSection     = 8'd4,   // a section of the image is not aligned or lies outside it, or is too short for the primitives
+    ErrFrameRecord = 8'd5,   // the frame record is for another frame size, or a field of it is out of range
     ErrFrameWindow = 8'd6,   // the frame buffer is too small
     ErrHitWindow   = 8'd7,   // the hit buffer is too small
-    ErrReadBus     = 8'd8,   // an error response to a read
-    ErrWriteBus    = 8'd9,   // an error response to a write
+    ErrReadBus     = 8'd8,   // the memory answered a read with an error
+    ErrWriteBus    = 8'd9,   // the memory answered a write with an error
     ErrPrimitive   = 8'd10,  // a primitive's number is out of range
     ErrNode        = 8'd11,  // a node is illegal, out of range, or not behind its parent
     ErrLeaf        = 8'd12,  // a leaf is out of range
     ErrStack       = 8'd13,  // the hierarchy is deeper than a ray's stack
     ErrSteps       = 8'd14,  // a ray visited more nodes than the job allows
-    ErrRay         = 8'd15   // a ray of a list is illegal
+    ErrRay         = 8'd15   // a ray of the list is illegal
   } error_t;
 endpackage

@@ -5,7 +5,6 @@
 #include "arguments.hpp"
 #include "core.hpp"
 #include "driver.hpp"
-#include "error_text.hpp"
 #include "model_device.hpp"
 #include "outputs.hpp"
 #include "picture.hpp"
@@ -55,7 +54,7 @@ ExitCode ray(const Arguments& args, const sim::RunRtl& run_rtl) {
   model_driver.load(image);
   const sim::Rendering expected = model_driver.render(options);
   if (expected.error != ErrNone) {
-    std::fprintf(stderr, "castray: the model refuses the job: %s\n", sim::error_text(expected.error));
+    std::fprintf(stderr, "castray: the model refuses the job: %s\n", meaning(expected.error));
     return kDeviceError;
   }
   const RayTrace trace = trace_pixel(model.job(), model.windows(model.job()), args.x, args.y);
@@ -87,7 +86,7 @@ ExitCode ray(const Arguments& args, const sim::RunRtl& run_rtl) {
               trace.hit.found ? scene_distance(image, args.x, args.y, trace.hit.t) : std::numeric_limits<double>::infinity(),
               reference.u, reference.v, reference.colour[0], reference.colour[1], reference.colour[2]);
   if (rendering.error != ErrNone) {
-    std::fprintf(stderr, "castray: the core stopped: %s\n", sim::error_text(rendering.error));
+    std::fprintf(stderr, "castray: the core stopped: %s\n", meaning(rendering.error));
     return kDeviceError;
   }
   std::printf("%zu values differ between model and RTL\n", sheet.differ());

@@ -7,7 +7,6 @@
 #include "arguments.hpp"
 #include "castray_commit.hpp"
 #include "comparison.hpp"
-#include "error_text.hpp"
 #include "frame_run.hpp"
 #include "outputs.hpp"
 #include "picture.hpp"
@@ -96,7 +95,7 @@ class Render {
     ExitCode code = kOk;
     const sim::Rendering rendering = args_.engine == "rtl" ? on_rtl(code) : on_model();
     if (rendering.error != ErrNone) {
-      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error), sim::error_text(rendering.error));
+      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error), meaning(rendering.error));
       report_["error"] = static_cast<int>(rendering.error);
       return kDeviceError;
     }

@@ -58,6 +58,8 @@ TEST_F(RegisterMap, ListsEveryErrorCode) {
   const auto constants = package_constants("rtl/pkg/castray_pkg.sv", "Err[A-Z]\\w*");
   EXPECT_EQ(constants.size(), ErrRay + 1u);
   EXPECT_EQ(table("Errors", 1, 0), constants);
+  for (const auto& row : table_rows(page_, "Errors"))
+    EXPECT_EQ(row[1] + ": " + row[2], meaning(static_cast<error_t>(std::stoi(row[0])))) << row[0];
 }
 
 }  // namespace castray::tb

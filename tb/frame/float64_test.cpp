@@ -11,7 +11,7 @@ namespace {
 sim::ReferenceCheck check(const Scene& scene, int width, int height) {
   const SceneImage image = compile(scene, width, height);
   const sim::Rendering rendering = sim::run_model(image);
-  EXPECT_EQ(rendering.error, ErrNone) << sim::error_text(rendering.error);
+  EXPECT_EQ(rendering.error, ErrNone) << meaning(rendering.error);
   return sim::check_reference(scene, image, rendering, trace_float64(scene, width, height));
 }
 

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "comparison.hpp"
-#include "error_text.hpp"
 #include "frame_run.hpp"
 #include "scene/load.hpp"
 
@@ -35,7 +34,7 @@ inline sim::RtlOptions core_of(int lanes, const std::string& stalls = "none", un
 
 // True if nothing differs and the core kept the rules of its bus.
 inline testing::AssertionResult equal(const sim::Rendering& rtl, const sim::Rendering& model) {
-  if (rtl.error != ErrNone) return testing::AssertionFailure() << "the core stopped: " << sim::error_text(rtl.error);
+  if (rtl.error != ErrNone) return testing::AssertionFailure() << "the core stopped: " << meaning(rtl.error);
   const sim::Comparison comparison = sim::compare(rtl, model);
   if (!comparison.equal()) {
     auto failure = testing::AssertionFailure() << comparison.pixels_differ << " pixels and " << comparison.hits_differ << " hits differ";
