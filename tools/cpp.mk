@@ -22,26 +22,33 @@ LIBS      := -lembree3 -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -la
 TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
 
 # tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated
-# model; a comment line "// Verilator: <flags>" in the test adds flags. Else it is a test of C++ only.
-# The models of units are headers; only the tests of scenes, references and docs are linked to
-# the library, and those of units that say "// Links the library." Those of the simulator and of whole
+# model; a comment line "// Verilator: <flags>" in the test adds flags. One that says "// Unit: <folder>/<unit>"
+# is one more test of that unit, linked to the same model. Else it is a test of C++ only.
+# The models of units are headers; only the tests of scenes, references and docs are linked to the
+# library, and those of units that say "// Links the library." Those of the simulator and of whole
 # frames: tools/core.mk.
 TESTS       := $(shell find tb -name '*_test.cpp' | sort)
 UNIT_TESTS  := $(foreach t,$(TESTS),$(if $(wildcard $(t:tb/%_test.cpp=rtl/%.sv) $(t:%_test.cpp=%_tb.sv)),$(t)))
+MORE_TESTS  := $(shell grep -rl --include='*_test.cpp' '^// Unit: ' tb)
 SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
-MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(SIM_TESTS),$(TESTS))
+MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(MORE_TESTS) $(SIM_TESTS),$(TESTS))
 
-define unit_test
+# unit_model(unit): its Verilated model.
+define unit_model
 $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES)
 	@echo "  VERILATE $(1)"
 	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(shell sed -n 's,^// Verilator: ,,p' tb/$(1)_test.cpp),-O2)
 -include $(BUILD)/unit/$(1)/V$(notdir $(1))__ver.d
-$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a $(VERILATED_OBJ) $(RECORDS)
-	@echo "  TEST  $(1)"
-	@$(CXX) $(CXXFLAGS) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/unit/$(1) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
 endef
-$(foreach t,$(UNIT_TESTS),$(eval $(call unit_test,$(t:tb/%_test.cpp=%))))
-$(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(shell grep -l '^// Links the library.' $(UNIT_TESTS))): $(LIB)
+# unit_test(test,unit): the program of a test, linked to the unit's model.
+define unit_test
+$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2))__ALL.a $(VERILATED_OBJ) $(RECORDS)
+	@echo "  TEST  $(1)"
+	@$(CXX) $(CXXFLAGS) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/unit/$(2) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
+endef
+$(foreach u,$(UNIT_TESTS:tb/%_test.cpp=%),$(eval $(call unit_model,$(u)))$(eval $(call unit_test,$(u),$(u))))
+$(foreach t,$(MORE_TESTS:tb/%_test.cpp=%),$(eval $(call unit_test,$(t),$(shell sed -n 's,^// Unit: ,,p' tb/$(t)_test.cpp))))
+$(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(shell grep -l '^// Links the library.' $(UNIT_TESTS) $(MORE_TESTS))): $(LIB)
 
 LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,docs scene reference)),$(MODEL_TESTS))
 $(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)
