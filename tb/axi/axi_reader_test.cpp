@@ -2,46 +2,25 @@
 // The reader: every client gets exactly the beats it asked for, in order, whatever the memory does.
 // Verilator: -GClients=3 -GMaxReads=8
 #include "Vaxi_reader.h"
-#include "axi_sub.hpp"
+#include "axi_clients.hpp"
 
 namespace castray::tb {
 
-constexpr unsigned kClients = 3, kMaxReads = 8;
-
-class AxiReader : public testing::TestWithParam<Stalls> {
+class AxiReader : public AxiClients<Vaxi_reader, read_req_t, ReadSub> {
  protected:
   struct Expected {
     std::uint64_t addr;
     bool last;
   };
 
-  static SubConfig config_of(const Stalls& stalls) {
-    SubConfig config;
-    config.stall = stalls.sink;
-    config.burst = stalls.burst;
-    config.latency_max = 30;
-    config.max_outstanding = kMaxReads;
-    return config;
-  }
-
-  void make(SubConfig config, double gap = 0, int burst = 1) {
-    config.max_outstanding = kMaxReads;
-    sub_ = std::make_unique<ReadSub>(config, 5);
-    gates_.clear();
-    for (unsigned i = 0; i < kClients; ++i) gates_.emplace_back(gap, burst, 100 + i);
-    dut_->block_i = 0;
-  }
-
-  // One cycle: requests from the queues, beats against what is expected.
-  void cycle() {
-    for (unsigned i = 0; i < kClients; ++i) {
-      if (!offering_[i] && !wanted_[i].empty()) offering_[i] = gates_[i].open();
-      dut_->req_valid_i = (dut_->req_valid_i & ~(1u << i)) | (unsigned{offering_[i]} << i);
+  // Requests from the queues, beats against what is expected.
+  void cycle() override {
+    offer([&] {
       read_req_t junk;
       junk.addr = rng_() & 0xfff0;
       junk.beats = rng_() % 32;
-      set_port(dut_->req_i[i], offering_[i] ? wanted_[i].front() : junk);
-    }
+      return junk;
+    });
     sub_->drive(dut_);
     // No path from a ready input to a valid output.
     dut_.settle();
@@ -56,35 +35,23 @@ class AxiReader : public testing::TestWithParam<Stalls> {
     errors_ += dut_->error_o;
     beats_ += dut_->beat_o;
     if (__builtin_popcount(dut_->rsp_valid_o) > 1) ADD_FAILURE() << "a beat for two clients";
-    for (unsigned i = 0; i < kClients; ++i) {
-      if (dut_->rsp_valid_o >> i & 1) {
-        const read_rsp_t rsp = get_port<read_rsp_t>(dut_->rsp_o);
-        if (expected_[i].empty()) {
-          ADD_FAILURE() << "client " << i << " did not ask for this beat";
-        } else {
-          EXPECT_EQ(rsp.data, initial_beat(expected_[i].front().addr)) << "client " << i;
-          EXPECT_EQ(rsp.last, expected_[i].front().last) << "client " << i;
-          expected_[i].pop_front();
-          --pending_;
-        }
-      }
-      if (offering_[i] && (dut_->req_ready_o >> i & 1)) {
-        EXPECT_FALSE(dut_->block_i);
-        const read_req_t req = wanted_[i].front();
-        for (unsigned b = 0; b < req.beats; ++b) expected_[i].push_back({req.addr + 16 * b, b + 1 == req.beats});
-        pending_ += static_cast<long>(req.beats);
-        taken_.push_back(i);
-        wanted_[i].pop_front();
-        offering_[i] = false;
-      }
-    }
+    for (unsigned i = 0; i < kClients; ++i)
+      if (dut_->rsp_valid_o >> i & 1) expect_beat(i);
+    take([&](unsigned i, const read_req_t& req) {
+      for (unsigned b = 0; b < req.beats; ++b) expected_[i].push_back({req.addr + 16 * b, b + 1 == req.beats});
+    });
     EXPECT_TRUE(!dut_->idle_o || sub_->outstanding == 0);
     dut_.tick();
   }
-
-  void until_taken(std::size_t count) {
-    for (int i = 0; i < 5000 && taken_.size() < count; ++i) cycle();
-    ASSERT_EQ(taken_.size(), count);
+  void expect_beat(unsigned client) {
+    const read_rsp_t rsp = get_port<read_rsp_t>(dut_->rsp_o);
+    if (expected_[client].empty()) {
+      ADD_FAILURE() << "client " << client << " did not ask for this beat";
+      return;
+    }
+    EXPECT_EQ(rsp.data, initial_beat(expected_[client].front().addr)) << "client " << client;
+    EXPECT_EQ(rsp.last, expected_[client].front().last) << "client " << client;
+    expected_[client].pop_front();
   }
 
   void want(unsigned client, std::uint64_t addr, unsigned beats) {
@@ -98,31 +65,16 @@ class AxiReader : public testing::TestWithParam<Stalls> {
     const std::uint64_t page = std::uint64_t{rng_()} % (1u << 28) << 12;
     want(client, page + 16 * (rng_() % (257 - beats)), beats);
   }
-  bool finished() const {
-    bool none = pending_ == 0;
-    for (unsigned i = 0; i < kClients; ++i) none = none && wanted_[i].empty();
-    return none;
+  bool nothing_expected() const {
+    return std::all_of(std::begin(expected_), std::end(expected_), [](const auto& queue) { return queue.empty(); });
   }
-  void run(long limit) {
-    for (long i = 0; i < limit && !finished(); ++i) cycle();
-    EXPECT_TRUE(finished()) << "beats are missing";
-    for (int i = 0; i < 4; ++i) cycle();
-    EXPECT_TRUE(dut_->idle_o);
-  }
+  bool finished() override { return nothing_wanted() && nothing_expected(); }
 
-  Dut<Vaxi_reader> dut_;
-  std::unique_ptr<ReadSub> sub_;
-  std::mt19937 rng_{11};
-  std::vector<Gate> gates_;
-  std::deque<read_req_t> wanted_[kClients];
   std::deque<Expected> expected_[kClients];
-  bool offering_[kClients] = {};
-  std::vector<unsigned> taken_;
-  long pending_ = 0, errors_ = 0, beats_ = 0;
 };
 
 TEST_P(AxiReader, GivesEachClientItsBeats) {
-  make(config_of(GetParam()), GetParam().source, GetParam().burst);
+  make_stalled(GetParam());
   for (int i = 0; i < 900; ++i) want_random(i % kClients);
   long beats = 0;
   for (const auto& queue : wanted_)
@@ -151,17 +103,13 @@ TEST_F(AxiReader, TakesEveryLengthUpToTheEndOfAPage) {
 TEST_F(AxiReader, SendsABurstEachCycle) {
   make({});
   for (int i = 0; i < 300; ++i) want(i % kClients, 0x1000 + 16 * i, 1);
-  long cycles = 0;
-  for (; !finished() && cycles < 2000; ++cycles) cycle();
-  EXPECT_LE(cycles, 300 + 6);
+  EXPECT_LE(cycles_to_finish(2000), 300 + 6);
 }
 
 TEST_F(AxiReader, TakesABeatEachCycle) {
   make({});
   for (int i = 0; i < 60; ++i) want(i % kClients, 0x1000 + 256 * i, 16);
-  long cycles = 0;
-  for (; !finished() && cycles < 5000; ++cycles) cycle();
-  EXPECT_LE(cycles, 60 * 16 + 6);
+  EXPECT_LE(cycles_to_finish(5000), 60 * 16 + 6);
 }
 
 TEST_F(AxiReader, HasAtMostMaxReadsOutstanding) {
@@ -169,8 +117,8 @@ TEST_F(AxiReader, HasAtMostMaxReadsOutstanding) {
   sub_->config().latency_min = sub_->config().latency_max = 100000;
   for (int i = 0; i < 60; ++i) want(i % kClients, 0x1000 + 256 * i, 4);
   for (int i = 0; i < 200; ++i) cycle();
-  EXPECT_EQ(taken_.size(), kMaxReads);
-  EXPECT_EQ(sub_->outstanding, kMaxReads);
+  EXPECT_EQ(taken_.size(), kMaxBursts);
+  EXPECT_EQ(sub_->outstanding, kMaxBursts);
   EXPECT_FALSE(dut_->idle_o);
 }
 
@@ -204,12 +152,7 @@ TEST_F(AxiReader, KeepsABusyClientFromStarvingARareOne) {
 
 TEST_F(AxiReader, ReportsAnErrorOnceForEachBeat) {
   for (const unsigned resp : {2u, 3u}) {
-    SubConfig config;
-    config.resp = resp;
-    config.error_from = 0x2010;
-    config.error_to = 0x2030;
-    make(config);
-    errors_ = 0;
+    make_failing(resp);
     want(1, 0x2000, 8);
     want(2, 0x3000, 8);
     run(1000);
@@ -239,13 +182,10 @@ TEST_F(AxiReader, ForgetsWaitingClientsWhileBlocked) {
     dut_->block_i = 1;
     for (int i = 0; i < 3; ++i) cycle();
     const std::size_t at_block = taken_.size();
-    for (unsigned i = 0; i < kClients; ++i) {
-      wanted_[i].clear();
-      offering_[i] = false;
-    }
+    forget_wanted();
     for (int i = 0; i < 200; ++i) cycle();
     EXPECT_EQ(taken_.size(), at_block);
-    EXPECT_EQ(pending_, 0);
+    EXPECT_TRUE(nothing_expected());
     EXPECT_TRUE(dut_->idle_o);
     dut_->block_i = 0;
     const unsigned other = (client + 1) % kClients;
@@ -263,17 +203,9 @@ TEST_F(AxiReader, IsUsableAfterAResetInMidBurst) {
   for (int cut = 1; cut < 80; ++cut) {
     for (int i = 0; i < 12; ++i) want_random(i % kClients);
     for (int i = 0; i < cut; ++i) cycle();
-    dut_->req_valid_i = 0;
     dut_->m_axi_rvalid_i = 0;
-    dut_.reset(1);
-    sub_->reset();
-    for (unsigned i = 0; i < kClients; ++i) {
-      wanted_[i].clear();
-      expected_[i].clear();
-      offering_[i] = false;
-    }
-    pending_ = 0;
-    EXPECT_TRUE(dut_->idle_o);
+    reset();
+    for (auto& queue : expected_) queue.clear();
     for (int i = 0; i < 6; ++i) want_random(i % kClients);
     run(2000);
   }

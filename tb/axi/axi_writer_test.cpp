@@ -2,21 +2,18 @@
 // The writer: every burst arrives whole, once, with its strobes, whatever the memory does.
 // Verilator: -GClients=3 -GMaxWrites=8
 #include "Vaxi_writer.h"
-#include "axi_sub.hpp"
+#include "axi_clients.hpp"
 
 namespace castray::tb {
 
-constexpr unsigned kClients = 3, kMaxWrites = 8;
-
-class AxiWriter : public testing::TestWithParam<Stalls> {
+class AxiWriter : public AxiClients<Vaxi_writer, write_req_t, WriteSub> {
  protected:
-  void make(SubConfig config, double gap = 0, int burst = 1) {
-    config.max_outstanding = kMaxWrites;
-    sub_ = std::make_unique<WriteSub>(config, 5);
-    gates_.clear();
-    for (unsigned i = 0; i < kClients; ++i) gates_.emplace_back(gap, burst, 100 + i);
-    dut_->block_i = 0;
-    dut_->req_valid_i = 0;
+  void make(SubConfig config) {
+    AxiClients::make(config);
+    follow();
+  }
+  // Each burst that arrives is the next one that its client sent.
+  void follow() {
     sub_->on_burst = [this](unsigned id, std::uint64_t addr, unsigned beats) {
       ASSERT_FALSE(sent_[id].empty());
       EXPECT_EQ(addr, sent_[id].front().addr);
@@ -25,12 +22,8 @@ class AxiWriter : public testing::TestWithParam<Stalls> {
     };
   }
 
-  void cycle() {
-    for (unsigned i = 0; i < kClients; ++i) {
-      if (!offering_[i] && !wanted_[i].empty()) offering_[i] = gates_[i].open();
-      dut_->req_valid_i = (dut_->req_valid_i & ~(1u << i)) | (unsigned{offering_[i]} << i);
-      set_port(dut_->req_i[i], offering_[i] ? wanted_[i].front() : make_item(0, 2));
-    }
+  void cycle() override {
+    offer([&] { return make_item(0, 2); });
     sub_->drive(dut_);
     // No path from a ready input to a valid output.
     dut_.settle();
@@ -47,14 +40,7 @@ class AxiWriter : public testing::TestWithParam<Stalls> {
     sub_->observe(dut_);
     errors_ += dut_->error_o;
     beats_ += dut_->beat_o;
-    for (unsigned i = 0; i < kClients; ++i) {
-      if (!offering_[i] || (dut_->req_ready_o >> i & 1) == 0) continue;
-      EXPECT_FALSE(dut_->block_i);
-      sent_[i].push_back(wanted_[i].front());
-      taken_.push_back(i);
-      wanted_[i].pop_front();
-      offering_[i] = false;
-    }
+    take([&](unsigned i, const write_req_t& req) { sent_[i].push_back(req); });
     EXPECT_TRUE(!dut_->idle_o || sub_->outstanding == 0);
     dut_.tick();
   }
@@ -81,41 +67,19 @@ class AxiWriter : public testing::TestWithParam<Stalls> {
     const unsigned beats = 1u << (rng_() % 3);
     want(client, (std::uint64_t{client} << 36) + 16 * beats * (rng_() % 512), beats);
   }
-  bool finished() const {
-    bool none = true;
-    for (unsigned i = 0; i < kClients; ++i) none = none && wanted_[i].empty();
-    return none && dut_idle();
-  }
-  bool dut_idle() const { return const_cast<Dut<Vaxi_writer>&>(dut_)->idle_o; }
-  void until_taken(std::size_t count) {
-    for (int i = 0; i < 5000 && taken_.size() < count; ++i) cycle();
-    ASSERT_EQ(taken_.size(), count);
-  }
+  bool finished() override { return nothing_wanted() && dut_->idle_o; }
   void run(long limit) {
-    for (long i = 0; i < limit && !finished(); ++i) cycle();
-    EXPECT_TRUE(finished());
-    for (int i = 0; i < 4; ++i) cycle();
-    EXPECT_TRUE(dut_->idle_o);
+    AxiClients::run(limit);
     for (const auto& queue : sent_) EXPECT_TRUE(queue.empty()) << "taken, but not sent";
   }
 
-  Dut<Vaxi_writer> dut_;
-  std::unique_ptr<WriteSub> sub_;
   std::unique_ptr<WriteSub> result_ = std::make_unique<WriteSub>(SubConfig{}, 1);  // what memory should hold
-  std::mt19937 rng_{11};
-  std::vector<Gate> gates_;
-  std::deque<write_req_t> wanted_[kClients], sent_[kClients];
-  bool offering_[kClients] = {};
-  std::vector<unsigned> taken_;
-  long errors_ = 0, beats_ = 0;
+  std::deque<write_req_t> sent_[kClients];
 };
 
 TEST_P(AxiWriter, WritesEveryBurstWhole) {
-  SubConfig config;
-  config.stall = GetParam().sink;
-  config.burst = GetParam().burst;
-  config.latency_max = 30;
-  make(config, GetParam().source, GetParam().burst);
+  make_stalled(GetParam());
+  follow();
   for (int i = 0; i < 1500; ++i) want_random(i % kClients);
   run(200000);
   EXPECT_TRUE(sub_->memory() == result_->memory());
@@ -129,9 +93,7 @@ TEST_F(AxiWriter, SendsABeatEachCycle) {
   for (const unsigned beats : {1u, 2u, 4u}) {
     make({});
     for (int i = 0; i < 300; ++i) want(i % kClients, 0x1000 + 64 * i, beats);
-    long cycles = 0;
-    for (; !finished() && cycles < 5000; ++cycles) cycle();
-    EXPECT_LE(cycles, 300 * beats + 6) << beats << " beats a burst";
+    EXPECT_LE(cycles_to_finish(5000), 300 * beats + 6) << beats << " beats a burst";
   }
   EXPECT_TRUE(sub_->outstanding == 0);
 }
@@ -148,8 +110,8 @@ TEST_F(AxiWriter, HasAtMostMaxWritesOutstanding) {
   sub_->config().latency_min = sub_->config().latency_max = 100000;
   for (int i = 0; i < 60; ++i) want(i % kClients, 0x1000 + 64 * i, 2);
   for (int i = 0; i < 200; ++i) cycle();
-  EXPECT_EQ(taken_.size(), kMaxWrites);
-  EXPECT_EQ(sub_->outstanding, kMaxWrites);
+  EXPECT_EQ(taken_.size(), kMaxBursts);
+  EXPECT_EQ(sub_->outstanding, kMaxBursts);
   EXPECT_FALSE(dut_->idle_o);
 }
 
@@ -186,12 +148,8 @@ TEST_F(AxiWriter, ServesClientsInTurn) {
 
 TEST_F(AxiWriter, ReportsAnErrorOnceForEachBurst) {
   for (const unsigned resp : {2u, 3u}) {
-    SubConfig config;
-    config.resp = resp;
-    config.error_from = 0x2010;
-    config.error_to = 0x2030;
-    make(config);
-    errors_ = 0;
+    make_failing(resp);
+    follow();
     want(1, 0x2000, 4);
     want(2, 0x3000, 4);
     run(200);
@@ -229,10 +187,7 @@ TEST_F(AxiWriter, SendsWhatItTookWhileBlocked) {
     const std::size_t before = taken_.size();
     until_taken(before + 1 + rng_() % 20);
     dut_->block_i = 1;
-    for (unsigned i = 0; i < kClients; ++i) {
-      wanted_[i].clear();
-      offering_[i] = false;
-    }
+    forget_wanted();
     run(500);
     dut_->block_i = 0;
     const unsigned other = rng_() % kClients;
@@ -250,16 +205,9 @@ TEST_F(AxiWriter, IsUsableAfterAResetInMidBurst) {
   for (int cut = 1; cut < 80; ++cut) {
     for (int i = 0; i < 12; ++i) want_random(i % kClients);
     for (int i = 0; i < cut; ++i) cycle();
-    dut_->req_valid_i = 0;
     dut_->m_axi_bvalid_i = 0;
-    dut_.reset(1);
-    sub_->reset();
-    for (unsigned i = 0; i < kClients; ++i) {
-      wanted_[i].clear();
-      sent_[i].clear();
-      offering_[i] = false;
-    }
-    EXPECT_TRUE(dut_->idle_o);
+    reset();
+    for (auto& queue : sent_) queue.clear();
     for (int i = 0; i < 6; ++i) want_random(i % kClients);
     run(2000);
   }

@@ -3,7 +3,7 @@
 // extremes of Q3.42 by hand.
 #include "Vray_setup.h"
 #include "camera/ray_setup.hpp"
-#include "dut.hpp"
+#include "blocked.hpp"
 
 namespace castray::tb {
 namespace {
@@ -166,27 +166,8 @@ TEST_F(RaySetup, FillsInTheRestOfTheRay) {
 }
 
 TEST_F(RaySetup, FillsEveryStageWhileBlocked) {
-  std::vector<pixel_dir_t> taken;
-  dut->out_ready_i = 0;
-  dut->in_valid_i = 1;
-  for (int cycle = 0; cycle < 200; ++cycle) {
-    const pixel_dir_t pixel = item(static_cast<std::int64_t>(taken.size()) + 1, -5, 1000);
-    set_port(dut->in_i, pixel);
-    dut.settle();
-    if (dut->in_ready_o) taken.push_back(pixel);
-    dut.tick();
-  }
-  EXPECT_EQ(taken.size(), static_cast<std::size_t>(kStages));
-  dut->in_valid_i = 0;
-  dut->out_ready_i = 1;
-  for (const auto& pixel : taken) {
-    dut.settle();
-    ASSERT_TRUE(dut->out_valid_o);
-    EXPECT_TRUE(get_port<ray_t>(dut->out_o) == model(pixel));
-    dut.tick();
-  }
-  dut.settle();
-  EXPECT_FALSE(dut->out_valid_o);
+  const auto pixel = [&](int i) { return item(i + 1, -5, 1000); };
+  fill_and_drain<ray_t>(dut, kStages, pixel, [&](int i) { return model(pixel(i)); });
 }
 
 TEST_F(RaySetup, GivesOneRayACycle) {

@@ -8,22 +8,17 @@
 #include "camera/slab_setup.hpp"
 #include "camera/tile_walk.hpp"
 #include "dut.hpp"
+#include "windows.hpp"
 
 namespace castray::tb {
 namespace {
 
 constexpr int kTileLog2 = 2, kSlots = 5;
 
-job_t window(std::uint64_t x0, std::uint64_t y0, std::uint64_t x1, std::uint64_t y1, bool z_order) {
-  job_t job;
-  job.width = 64;
-  job.height = 48;
-  job.x0 = x0;
-  job.y0 = y0;
-  job.x1 = x1;
-  job.y1 = y1;
-  job.z_order = z_order;
-  job.brute = 1;   // no tile is started in the hierarchy
+// A job on a window of 64 x 48 pixels in which no tile is started in the hierarchy.
+job_t brute(std::uint64_t x0, std::uint64_t y0, std::uint64_t x1, std::uint64_t y1, bool z_order) {
+  job_t job = window(64, 48, x0, y0, x1, y1, z_order);
+  job.brute = 1;
   return job;
 }
 
@@ -82,15 +77,15 @@ class RaySource : public ::testing::TestWithParam<Stalls> {
 INSTANTIATE_TEST_SUITE_P(Stalls, RaySource, ::testing::ValuesIn(kStallPatterns));
 
 TEST_P(RaySource, MatchesModels) {
-  follow(window(0, 0, 64, 48, false), GetParam());
-  follow(window(0, 0, 64, 48, true), GetParam());
-  follow(window(5, 7, 6, 8, false), GetParam());
-  follow(window(3, 2, 50, 45, true), GetParam());
+  follow(brute(0, 0, 64, 48, false), GetParam());
+  follow(brute(0, 0, 64, 48, true), GetParam());
+  follow(brute(5, 7, 6, 8, false), GetParam());
+  follow(brute(3, 2, 50, 45, true), GetParam());
 }
 
 // With the lanes shut the walk runs ahead into the pipes, and ends there: done, but not exhausted.
 TEST_F(RaySource, IsNotExhaustedWhileRaysAreSetUp) {
-  set_port(dut->job_i, window(8, 8, 12, 12, false));
+  set_port(dut->job_i, brute(8, 8, 12, 12, false));
   dut->tile_ready_i = 1;
   dut->out_ready_i = 0;
   dut->start_i = 1;

@@ -3,23 +3,13 @@
 #include "Vtile_walk.h"
 #include "camera/tile_walk.hpp"
 #include "dut.hpp"
+#include "windows.hpp"
 
 namespace castray::tb {
 namespace {
 
 constexpr int kSlots[] = {5, 16, 256};  // as in tile_walk_tb.sv, for tiles of 4, 8 and 16
 
-job_t window(std::uint64_t width, std::uint64_t height, std::uint64_t x0, std::uint64_t y0, std::uint64_t x1, std::uint64_t y1, bool z_order) {
-  job_t job;
-  job.width = width;
-  job.height = height;
-  job.x0 = x0;
-  job.y0 = y0;
-  job.x1 = x1;
-  job.y1 = y1;
-  job.z_order = z_order;
-  return job;
-}
 job_t frame(std::uint64_t width, std::uint64_t height, bool z_order) { return window(width, height, 0, 0, width, height, z_order); }
 
 // Whole frames, windows with partial tiles on each side, windows inside one tile.

@@ -2,7 +2,7 @@
 // cordic_sqrt: equal to its model under stalls, at the extremes, and for what is not normalised.
 // (Its accuracy: cordic_sqrt_model_test.cpp, every radicand.)
 #include "Vcordic_sqrt.h"
-#include "dut.hpp"
+#include "blocked.hpp"
 #include "math/cordic_sqrt.hpp"
 
 namespace castray::tb {
@@ -56,28 +56,8 @@ TEST_F(CordicSqrt, SaturatesAtTheTop) {
 }
 
 TEST_F(CordicSqrt, FillsEveryStageWhileBlocked) {
-  dut->out_ready_i = 0;
-  int taken = 0;
-  for (int cycle = 0; cycle < 40; ++cycle) {
-    dut->in_valid_i = 1;
-    dut->in_i = (kFirst + 1000 * taken) | std::uint64_t(taken) << 26;
-    dut.settle();
-    EXPECT_EQ(dut->in_ready_o, taken < kStages);
-    EXPECT_EQ(dut->out_valid_o, cycle >= kStages) << "latency";
-    taken += dut->in_ready_o;
-    dut.tick();
-  }
-  EXPECT_EQ(taken, kStages);
-  dut->in_valid_i = 0;
-  dut->out_ready_i = 1;
-  for (int i = 0; i < taken; ++i) {
-    dut.settle();
-    ASSERT_TRUE(dut->out_valid_o);
-    EXPECT_EQ(dut->out_o, static_cast<unsigned>(i << 18 | static_cast<int>(cordic_sqrt(kFirst + 1000 * i))));
-    dut.tick();
-  }
-  dut.settle();
-  EXPECT_FALSE(dut->out_valid_o);
+  fill_and_drain<std::uint64_t>(dut, kStages, [](int i) { return (kFirst + 1000 * i) | std::uint64_t(i) << 26; },
+                                [](int i) { return std::uint64_t(i) << 18 | cordic_sqrt(kFirst + 1000 * i); });
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // div_pipe: equal to its model under stalls, for the widths that the core uses and for stages that
 // do not divide the digits evenly; ties, extremes and the guarded results by hand.
 #include "Vdiv_pipe.h"
-#include "dut.hpp"
+#include "blocked.hpp"
 #include "math/div_pipe.hpp"
 
 namespace castray::tb {
@@ -152,28 +152,8 @@ TEST_F(DivPipe, GuardsItsDivisor) {
 TEST_F(DivPipe, FillsEveryStageWhileBlocked) {
   for (int which = 0; which < kCount; ++which) {
     choose(which);
-    dut->out_ready_i = 0;
-    int taken = 0;
-    for (int cycle = 0; cycle < 100; ++cycle) {
-      dut->in_valid_i = 1;
-      set_port(dut->in_i, Division{static_cast<std::uint64_t>(taken), 1000, static_cast<std::uint64_t>(taken)});
-      dut.settle();
-      EXPECT_EQ(dut->in_ready_o, taken < config.stages());
-      EXPECT_EQ(dut->out_valid_o, cycle >= config.stages()) << "latency";
-      taken += dut->in_ready_o;
-      dut.tick();
-    }
-    EXPECT_EQ(taken, config.stages());
-    dut->in_valid_i = 0;
-    dut->out_ready_i = 1;
-    for (int i = 0; i < taken; ++i) {
-      dut.settle();
-      ASSERT_TRUE(dut->out_valid_o);
-      EXPECT_EQ(get_port<Quotient>(dut->out_o), (Quotient{model(i, 1000), static_cast<std::uint64_t>(i)}));
-      dut.tick();
-    }
-    dut.settle();
-    EXPECT_FALSE(dut->out_valid_o);
+    fill_and_drain<Quotient>(dut, config.stages(), [](int i) { return Division{static_cast<std::uint64_t>(i), 1000, static_cast<std::uint64_t>(i)}; },
+                             [&](int i) { return Quotient{model(i, 1000), static_cast<std::uint64_t>(i)}; });
   }
 }
 

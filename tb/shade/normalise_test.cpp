@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "Vnormalise.h"
-#include "dut.hpp"
+#include "blocked.hpp"
 #include "shade/normalise.hpp"
 
 namespace castray::tb {
@@ -128,27 +128,8 @@ TEST_F(Normalise, RoundsNegativeSharesDown) {
 }
 
 TEST_F(Normalise, FillsEveryStageWhileBlocked) {
-  dut->out_ready_i = 0;
   const auto item = [](int i) { return Vector{1000 + i, -3 * i, i * i, static_cast<std::uint64_t>(i)}; };
-  int taken = 0;
-  for (int cycle = 0; cycle < 100; ++cycle) {
-    dut->in_valid_i = 1;
-    set_port(dut->in_i, item(taken));
-    dut.settle();
-    EXPECT_EQ(dut->in_ready_o, taken < kStages);
-    EXPECT_EQ(dut->out_valid_o, cycle >= kStages) << "latency";
-    taken += dut->in_ready_o;
-    dut.tick();
-  }
-  EXPECT_EQ(taken, kStages);
-  dut->in_valid_i = 0;
-  dut->out_ready_i = 1;
-  for (int i = 0; i < taken; ++i) {
-    dut.settle();
-    ASSERT_TRUE(dut->out_valid_o);
-    EXPECT_EQ(get_port<Unit>(dut->out_o), model(item(i)));
-    dut.tick();
-  }
+  fill_and_drain<Unit>(dut, kStages, item, [&](int i) { return model(item(i)); });
 }
 
 }  // namespace
