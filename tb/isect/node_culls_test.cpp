@@ -90,7 +90,7 @@ Placed place(Rng& rng, std::int64_t low, std::int64_t high) {
   return p;
 }
 
-// Its padded box, as docs/number-formats.md asks.
+// A primitive's padded box, as docs/number-formats.md asks.
 struct World {
   std::int64_t low[3], high[3];
 };
@@ -150,6 +150,82 @@ TEST(NodeCulls, NoPrimitiveThatTheExactTestHits) {
   }
   std::printf("%ld primitives hit, %ld of them spheres; none of their boxes dropped\n", tested, spheres);
   EXPECT_GT(spheres, tested / 20);
+}
+
+// Four halves of halves of a box, each a little smaller than its share, on the node's own grid; extents
+// of up to `reach` steps.
+node_t four_parts(Rng& rng, std::int64_t reach) {
+  std::int64_t low[4][3] = {}, high[4][3], extent[3], origin[3];
+  int exp[3] = {};
+  for (int k = 0; k < 3; ++k) {
+    extent[k] = rng.in(reach / 4, reach);
+    origin[k] = rng.in(0, kGrid - extent[k]);
+    while ((std::int64_t{255} << exp[k]) < extent[k]) ++exp[k];
+    for (auto& h : high) h[k] = extent[k];
+  }
+  const auto halve = [&](int from, int to) {
+    int k = 0;
+    for (int j = 1; j < 3; ++j)
+      if (high[from][j] - low[from][j] > high[from][k] - low[from][k]) k = j;
+    const std::int64_t middle = (low[from][k] + high[from][k]) / 2;
+    for (int c = from; c < to; ++c) (c < (from + to) / 2 ? high[c][k] : low[c][k]) = middle;
+  };
+  halve(0, 4), halve(0, 2), halve(2, 4);
+  child_box_t boxes[4];
+  for (int c = 0; c < 4; ++c) {
+    plane_t q[2][3];
+    for (int k = 0; k < 3; ++k) {
+      const std::int64_t width = high[c][k] - low[c][k];
+      q[0][k] = static_cast<plane_t>((low[c][k] + rng.in(0, width / 5)) >> exp[k]);
+      q[1][k] = static_cast<plane_t>((high[c][k] - rng.in(0, width / 5) + (1 << exp[k]) - 1) >> exp[k]);
+    }
+    boxes[c] = {.x0 = q[0][0], .y0 = q[0][1], .z0 = q[0][2], .x1 = q[1][0], .y1 = q[1][1], .z1 = q[1][2]};
+  }
+  node_t node;
+  node.x = static_cast<coord_t>(origin[0]), node.y = static_cast<coord_t>(origin[1]), node.z = static_cast<coord_t>(origin[2]);
+  node.exp_x = static_cast<plane_exp_t>(exp[0]), node.exp_y = static_cast<plane_exp_t>(exp[1]), node.exp_z = static_cast<plane_exp_t>(exp[2]);
+  node.box0 = boxes[0], node.box1 = boxes[1], node.box2 = boxes[2], node.box3 = boxes[3];
+  node.ref0 = RefLeaf << LineW, node.ref1 = node.ref0 + 1, node.ref2 = node.ref0 + 2, node.ref3 = node.ref0 + 3;
+  return node;
+}
+
+// A ray from anywhere through a point of the node.
+NodeCase through(Rng& rng, const node_t& node) {
+  NodeCase c;
+  c.node = node;
+  c.ray.org = rng.point();
+  const auto towards = [&](coord_t from, plane_exp_t exp, coord_t org) {
+    return static_cast<std::int64_t>(from) + (rng.in(0, 255) << exp) - static_cast<std::int64_t>(org);
+  };
+  const delta3_t d = {towards(node.x, node.exp_x, c.ray.org.x), towards(node.y, node.exp_y, c.ray.org.y), towards(node.z, node.exp_z, c.ray.org.z)};
+  const std::int64_t x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
+  c.ray.axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const delta3_t p = permute(d, c.ray.axis);
+  c.ray.neg = p.z < 0;
+  const auto shear = [&](std::int64_t k) { return p.z == 0 ? 0 : std::clamp((k << ShearFrac) / p.z, 1 - kOne, kOne - 1); };
+  set_shear(c, shear(p.x), shear(p.y));
+  return c;
+}
+
+TEST(NodeCulls, SeldomLessThanExactArithmetic) {
+  Rng rng(84);
+  for (int reach = CoordW - 12; reach < static_cast<int>(CoordW); reach += 2) {
+    long kept = 0, exact = 0;
+    for (int i = 0; i < 30000; ++i) {
+      const NodeCase c = through(rng, four_parts(rng, std::int64_t{1} << reach));
+      bool illegal = false;
+      const visits_t visits = node_pipe(c.ray, c.node, c.t, illegal);
+      for (int child = 0; child < 4; ++child) {
+        kept += visited(visits, c.node, child);
+        exact += !useful(c, child, kBoxMarginT).empty;
+      }
+    }
+    const double more = 100.0 * static_cast<double>(kept - exact) / static_cast<double>(kept);
+    std::printf("nodes of up to 2^%d steps: %.2f%% of the boxes visited would be dropped by exact arithmetic\n", reach, more);
+    EXPECT_LT(more, reach >= static_cast<int>(CoordW) - 6 ? 1.0 : reach >= static_cast<int>(CoordW) - 10 ? 2.5 : 10.0);
+    EXPECT_GE(kept, exact);
+    EXPECT_GT(kept, 20000);
+  }
 }
 
 }  // namespace

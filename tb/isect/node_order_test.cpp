@@ -161,8 +161,8 @@ TEST_F(NodeOrder, CutsTheLeastToItsFormat) {
   EXPECT_EQ(least(kEnd, 0, false, kTickMax), kLast);
   EXPECT_EQ(least(kEnd, MaxPlaneExp, false, kTickMax), kLast);
   EXPECT_EQ(least(-kEnd, 0, true, 0), kLast);
-  EXPECT_EQ(least(0, 14, false, 8), 0u) << "a plane away, less the margin";
-  EXPECT_EQ(least(BoxMargin, 14, false, 8), 1u);
+  EXPECT_EQ(least(0, 14, false, 1 << SubPlane), 0u) << "a plane away, less the margin";
+  EXPECT_EQ(least(BoxMargin, 14, false, 1 << SubPlane), 1u);
 }
 
 }  // namespace

@@ -88,10 +88,10 @@ TEST_F(SlabChild, TakesTheLastEntryAndTheFirstExit) {
   EXPECT_EQ(of({box, 0, everywhere, everywhere}), (Result{0, 10 * tick, 200 * tick}));
   EXPECT_EQ(of({box, 1, everywhere, everywhere}), (Result{0, 20 * tick, 210 * tick}));
   EXPECT_EQ(of({box, 2, everywhere, everywhere}), (Result{0, 30 * tick, 220 * tick}));
-  const slab_axis_t some{false, 0, 300, 600, 0};
+  const slab_axis_t some{false, 0, 40 * tick, 80 * tick, 0};
   const std::int64_t most = (200 >> (9 - SubPlane)) + 1;   // of mant 0 and either high plane
-  EXPECT_EQ(of({box, 2, some, everywhere}), (Result{0, 300, 600 + most}));
-  EXPECT_EQ(of({box, 2, everywhere, some}), (Result{0, 300, 600 + most}));
+  EXPECT_EQ(of({box, 2, some, everywhere}), (Result{0, 40 * tick, 80 * tick + most}));
+  EXPECT_EQ(of({box, 2, everywhere, some}), (Result{0, 40 * tick, 80 * tick + most}));
   const slab_axis_t before{false, 0, -300, -200, 0};
   EXPECT_EQ(of({box, 2, before, everywhere})[0], 1);
   EXPECT_EQ(of({box, 2, everywhere, before})[0], 1);
