@@ -78,8 +78,8 @@ module castray_core
   input  logic [Ports-1:0][3:0]       m_axi_bid_i,
   input  logic [Ports-1:0][1:0]       m_axi_bresp_i
 );
-  if (Lanes < 1 || Lanes > 8) begin : g_lanes
-    $error("castray_core: Lanes must be 1 to 8");
+  if (Lanes < 1 || Lanes > MaxLanes) begin : g_lanes
+    $error("castray_core: Lanes must be 1 to %0d", MaxLanes);
   end
   if (TileLog2 < 2 || TileLog2 > 4) begin : g_tile
     $error("castray_core: TileLog2 must be 2, 3 or 4");

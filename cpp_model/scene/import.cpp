@@ -78,17 +78,28 @@ class Gather {
   std::size_t ignored_ = 0;
 };
 
+// assimp ends the program when it is to triangulate a face without corners.
+void check_corners(const aiScene& scene, const std::string& file) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+    for (unsigned f = 0; f < scene.mMeshes[m]->mNumFaces; ++f)
+      if (scene.mMeshes[m]->mFaces[f].mNumIndices == 0) throw SceneError(file, "face " + std::to_string(f), "has no corners");
+}
+
 }  // namespace
 
 Mesh import_mesh(const std::filesystem::path& path) {
   const std::string file = path.string();
   check_readable(path);
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_ValidateDataStructure);
-  if (scene == nullptr || scene->mRootNode == nullptr) throw SceneError(file, "import", one_line(importer.GetErrorString()));
+  const auto read = [&](const aiScene* scene) -> const aiScene& {
+    if (scene == nullptr || scene->mRootNode == nullptr) throw SceneError(file, "import", one_line(importer.GetErrorString()));
+    return *scene;
+  };
+  check_corners(read(importer.ReadFile(file, aiProcess_ValidateDataStructure)), file);
+  const aiScene& scene = read(importer.ApplyPostProcessing(aiProcess_Triangulate));
   Mesh mesh;
-  Gather gather(*scene, file, mesh);
-  gather.node(*scene->mRootNode, aiMatrix4x4());
+  Gather gather(scene, file, mesh);
+  gather.node(*scene.mRootNode, aiMatrix4x4());
   if (gather.ignored() != 0) mesh.warnings.push_back(file + ": " + counted(gather.ignored(), "point or line") + " ignored");
   if (mesh.face_sizes.empty()) throw SceneError(file, "mesh", "no faces");
   return mesh;

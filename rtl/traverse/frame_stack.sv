@@ -36,7 +36,7 @@ module frame_stack
   typedef logic [PlaceW-1:0] place_t;
   typedef logic [PlaceW:0]   used_t;
 
-  (* ram_style = "block" *) frame_t frame_q [Contexts * Depth];
+  (* ram_style = "block" *) frame_t frame_q [Depth << IdxW];
   used_t                            used_mem_q [Contexts];   // frames on each stack
 
   // ---- s0 ----

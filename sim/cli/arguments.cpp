@@ -67,11 +67,11 @@ void SceneArguments::print_notes(const Scene& scene) const {
 }
 
 void CoreArguments::add_to(CLI::App& command) {
-  command.add_option("--lanes", lanes, "lanes of the core")->capture_default_str();
-  command.add_option("--contexts", contexts, "rays in flight in each lane")->capture_default_str();
+  command.add_option("--lanes", lanes, "lanes of the core")->check(CLI::Range(1, int{MaxLanes}))->capture_default_str();
+  command.add_option("--contexts", contexts, "rays in flight in each lane")->check(CLI::Range(1, 1 << CtxW))->capture_default_str();
   command.add_option("--tile", tile, "side of a tile in pixels")->check(CLI::IsMember({4, 8, 16}))->capture_default_str();
   command.add_option("--ports", ports, "memory ports of the core")->check(CLI::IsMember({1, 2}))->capture_default_str();
-  command.add_option("--l2", l2_kbytes, "KB of the shared cache; 0: none")->capture_default_str();
+  command.add_option("--l2", l2_kbytes, "KB of the shared cache; 0: none")->check(whole_number)->capture_default_str();
   command.add_option("--mode", mode, "how primitives are found: bvh, the hierarchy from each tile's start; bvh_root, from its root; brute, all are tested")
       ->check(CLI::IsMember(std::vector<std::string>(sim::kModeNames.begin(), sim::kModeNames.end())))->capture_default_str();
   command.add_option("--memory", memory, "timing of the memory: reference, or hp with 8 requests outstanding")

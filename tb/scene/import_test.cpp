@@ -90,6 +90,12 @@ TEST_F(Import, PlyHeaders) {
   for (const std::string count : {"-3", "x", "3.5", "", "99999999999999999999"})
     EXPECT_EQ(error(count, face + data), "m.ply: line 3: '" + count + "' is not a number of elements");
 }
+TEST_F(Import, FaceWithoutCorners) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(load_error("m.ply", header + "3 0 1 2\n0\n"), "m.ply: face 1: has no corners");
+}
 TEST_F(Import, NoFaces) { EXPECT_NE(load_error("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "no error"); }
 TEST_F(Import, IndexOutOfRange) { EXPECT_EQ(load_error("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").substr(0, 15), "m.obj: import: "); }
 TEST_F(Import, Nan) {

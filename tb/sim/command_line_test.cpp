@@ -51,7 +51,9 @@ TEST_F(CommandLine, BadOptions) {
   expect_refused("render scenes/cube.json --stalls sometimes", 2, {"stalls", "sometimes"});
   expect_refused("render scenes/cube.json --memory dram", 2, {"memory", "dram"});
   expect_refused("render scenes/cube.json --lanes 7", 2, {"7 lanes", "make"});
-  expect_refused("render scenes/cube.json --lanes three", 2, {"lanes"});
+  for (const std::string lanes : {"three", "0", "9", "-1", "1.5", "99999999999"}) expect_refused("render scenes/cube.json --lanes " + lanes, 2, {"lanes", lanes});
+  for (const std::string contexts : {"0", "65", "-1"}) expect_refused("render scenes/cube.json --contexts " + contexts, 2, {"contexts", contexts});
+  expect_refused("render scenes/cube.json --l2 -1", 2, {"l2", "-1"});
   for (const std::string seed : {"-1", "18446744073709551616", "1e3", "x"})
     expect_refused("render scenes/cube.json --seed " + seed, 2, {"seed", seed});
   expect_refused("render", 2, {"scene"});
