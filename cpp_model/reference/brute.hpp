@@ -10,6 +10,7 @@
 #include <numbers>
 #include <thread>
 
+#include "reference/crossing.hpp"
 #include "reference/float64.hpp"
 
 namespace castray::reference {
@@ -71,15 +72,8 @@ template <class T> class Tracer {
       const T *cx = at_first(6), *cy = at_first(7), *cz = at_first(8);
       int any = 0;
       for (std::size_t i = 0; i < kBlock; ++i) {
-        const T px = d.y * cz[i] - d.z * cy[i], py = d.z * cx[i] - d.x * cz[i], pz = d.x * cy[i] - d.y * cx[i];
-        const T det = bx[i] * px + by[i] * py + bz[i] * pz;
-        const T inv = 1 / det;
-        const T u = -(ax[i] * px + ay[i] * py + az[i] * pz) * inv;
-        const T qx = az[i] * by[i] - ay[i] * bz[i], qy = ax[i] * bz[i] - az[i] * bx[i], qz = ay[i] * bx[i] - ax[i] * by[i];
-        const T v = (d.x * qx + d.y * qy + d.z * qz) * inv;
-        const T at = (cx[i] * qx + cy[i] * qy + cz[i] * qz) * inv;
-        const bool hit = (det != 0) & (u >= 0) & (v >= 0) & (u + v <= 1) & (at > 0);
-        t[i] = hit ? at : kFar;
+        const Crossing<T> at = crossing({ax[i], ay[i], az[i]}, {bx[i], by[i], bz[i]}, {cx[i], cy[i], cz[i]}, d);
+        t[i] = at.inside() & (at.t > 0) ? at.t : kFar;
         any |= t[i] < nearest;
       }
       if (!any) continue;
@@ -93,16 +87,8 @@ template <class T> class Tracer {
   }
 
   T sphere(const Sphere& sphere, const V& d) const {
-    const V to_eye(eye() - sphere.centre);
-    const T radius = T(sphere.radius);
-    const T a = d.dot(d);
-    const T b = to_eye.dot(d) / a;
-    const V aside = to_eye - d * b;  // from the centre to the line, at right angles
-    const T square = (radius * radius - aside.dot(aside)) / a;
-    if (!(square >= 0)) return kFar;
-    const T root = std::sqrt(square);
-    if (-b - root > 0) return -b - root;
-    return -b + root > 0 ? -b + root : kFar;
+    const Roots<T> at = roots(V(eye() - sphere.centre), T(sphere.radius), d);
+    return at.near > 0 ? at.near : at.far > 0 ? at.far : kFar;
   }
 
   void shade(ReferencePixel& pixel, const V& d, T length, T t) const {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/compile.hpp"
 
+#include <ImathBox.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "fixed.hpp"
 #include "scene/bvh.hpp"
@@ -58,23 +61,21 @@ class Compiler {
  public:
   explicit Compiler(const Scene& scene) : scene_(scene) {}
 
-  SceneImage image(int width, int height) {
+  // Of a frame from the scene's camera, or of none: then for rays from the origins given.
+  SceneImage image(std::optional<FrameSize> frame, std::span<const ListRay> rays) {
     if (scene_.primitives() == 0) throw SceneError(scene_.file, "scene", "it holds no triangle and no sphere");
     if (scene_.primitives() > kNoNumber)
       throw SceneError(scene_.file, "scene", std::to_string(scene_.primitives()) + " primitives, at most " + std::to_string(kNoNumber) + " are possible");
-    Vec3 low, high;
-    bounds(scene_, low, high);
-    for (int i = 0; i < 3; ++i) {
-      const double eye = scene_.camera.eye()[i];
-      if (!(std::abs(eye) <= kLargestCoordinate)) throw SceneError(scene_.file, "camera", "the eye at " + text_of(eye) + " is " + kOutside);
-      low[i] = std::min(low[i], eye);
-      high[i] = std::max(high[i], eye);
-    }
-    grid_ = finest_grid(low, high);
-    image_.frame = frame_record(scene_, grid_, width, height);
+    Imath::Box3d box;
+    bounds(scene_, box.min, box.max);
+    if (frame) box.extendBy(eye());
+    for (const ListRay& ray : rays) box.extendBy(ray.origin);
+    grid_ = finest_grid(box.min, box.max);
+    if (frame) image_.frame = frame_record(scene_, grid_, frame->width, frame->height);
     primitives();
     if (slots_.empty())
-      throw SceneError(scene_.file, "scene", "nothing is left on a grid of 2^" + std::to_string(grid_.power) + ": scene and camera lie too far apart");
+      throw SceneError(scene_.file, "scene", "nothing is left on a grid of 2^" + std::to_string(grid_.power) + ": scene and " +
+                       (frame ? "camera" : "the origins of rays") + " lie too far apart");
     std::vector<Box> boxes(slots_.size());
     std::ranges::transform(slots_, boxes.begin(), padded_box);
     lay_out(build_bvh(boxes));
@@ -82,6 +83,13 @@ class Compiler {
   }
 
  private:
+  Vec3 eye() const {
+    const Vec3 eye = scene_.camera.eye();
+    for (int i = 0; i < 3; ++i)
+      if (!(std::abs(eye[i]) <= kLargestCoordinate)) throw SceneError(scene_.file, "camera", "the eye at " + text_of(eye[i]) + " is " + kOutside);
+    return eye;
+  }
+
   void primitives() {
     attributes_.reserve(scene_.primitives());
     for (const Triangle& triangle : scene_.triangles) {
@@ -175,9 +183,13 @@ class Compiler {
 
 }  // namespace
 
-double SceneImage::step() const { return std::ldexp(1.0, static_cast<int>(header.grid_power)); }
+Grid SceneImage::grid() const {
+  return {.power = static_cast<int>(header.grid_power), .corner = {header.corner_x, header.corner_y, header.corner_z}};
+}
+double SceneImage::step() const { return grid().step(); }
 
-SceneImage compile(const Scene& scene, int width, int height) { return Compiler(scene).image(width, height); }
+SceneImage compile(const Scene& scene, int width, int height) { return Compiler(scene).image(FrameSize{width, height}, {}); }
+SceneImage compile(const Scene& scene, std::span<const ListRay> rays) { return Compiler(scene).image({}, rays); }
 
 double scene_distance(const SceneImage& image, int x, int y, std::int64_t t) {
   const frame_record_t& f = image.frame;

@@ -66,6 +66,25 @@ TEST_F(Compile, GridAtItsLimit) {
 
 TEST_F(Compile, GridOfTheTeapotsBaseView) { EXPECT_EQ(compile(load_scene("scenes/teapot.json"), 320, 240).header.grid_power, -22); }
 
+TEST_F(Compile, OriginsOfAListTakeTheCamerasPlace) {
+  const Scene scene = small_scene();
+  const SceneImage frame = compile(scene, 4, 4), none = compile(scene, std::span<const ListRay>());
+  EXPECT_EQ(frame.header.grid_power, -24);
+  EXPECT_EQ(none.header.grid_power, -25) << "the triangle alone spans 1, with the eye 3";
+  EXPECT_EQ(to_text(none.frame), to_text(frame_record_t{}));
+  const ListRay rays[] = {{.origin = Vec3(0, 0, -40)}, {.origin = Vec3(0, 23, 0)}};
+  const SceneImage list = compile(scene, rays);
+  EXPECT_EQ(list.header.grid_power, -20);
+  for (const ListRay& ray : rays)
+    for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(Grid::holds(list.grid().at(ray.origin[axis], axis)));
+  EXPECT_EQ(list.grid().step(), list.step());
+}
+
+TEST_F(Compile, OriginsTooFarAway) {
+  const ListRay ray{.origin = Vec3(0x1p60, 0, 0)};
+  EXPECT_EQ(error_of([&] { compile(small_scene(), std::span(&ray, 1)); }), "s: scene: nothing is left on a grid of 2^35: scene and the origins of rays lie too far apart");
+}
+
 // Far from the origin the grid is no finer than what a double can tell apart.
 TEST_F(Compile, GridFarFromTheOrigin) {
   const Grid grid = finest_grid(Vec3(0x1p40), Vec3(0x1p40 + 1));
