@@ -1,79 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <mutex>
 #include <stdexcept>
-#include <thread>
 
-#include "camera/frame_setup.hpp"
 #include "camera/ray_gen.hpp"
 #include "camera/ray_setup.hpp"
 #include "camera/slab_setup.hpp"
 #include "camera/tile_walk.hpp"
+#include "in_parallel.hpp"
 #include "mem/hit_writer.hpp"
-#include "mem/image.hpp"
-#include "mem/prim_reader.hpp"
-#include "shade/paint.hpp"
+#include "ray_list.hpp"
 #include "shade/shade.hpp"
-#include "traverse/lane.hpp"
 #include "traverse/tile_start.hpp"
 
 namespace castray {
 namespace {
-
-// What is read from the image, and made of it, once a job.
-struct Loaded {
-  error_t error = ErrNone;
-  image_header_t header;
-  frame_record_t record;
-  camera_t camera;
-  paint_t paint;
-  std::vector<prim_slot_t> slots;
-};
-
-Loaded load(const job_t& job, const Windows& windows) {
-  Loaded loaded;
-  loaded.error = check_image(windows.image.data(), windows.image.size(), job, loaded.header, loaded.record);
-  if (loaded.error != ErrNone) return loaded;
-  loaded.camera = frame_setup(loaded.record);
-  loaded.paint = frame_paint(loaded.record);
-  if (job.brute) {
-    loaded.slots = read_slots(windows.image.data(), loaded.header);
-    for (const prim_slot_t& slot : loaded.slots)
-      if (!slot_ok(slot, loaded.header)) loaded.error = ErrPrimitive;
-  }
-  return loaded;
-}
-
-// Where the rays of a tile start, and the nodes of its frontier.
-struct Started {
-  std::uint64_t start = TileRoot;
-  std::span<const node_t> nodes;
-};
-
-// A lane's work for one ray, and what it adds to the counters.
-template <class Accepted>
-TreeHit cast(const ray_t& ray, const job_t& job, const Loaded& loaded, const Windows& windows, const Started& started,
-             WorkCounters& counters, Accepted&& accepted) {
-  const auto on_accepted = [&](const cand_t& cand, const result_t* result) {
-    ++counters.candidates;
-    accepted(cand, result);
-  };
-  TreeHit found;
-  if (job.brute) {
-    found.hit = lane(ray, loaded.slots, counters.tests, on_accepted);
-  } else {
-    const Tree tree{.image = windows.image.data(), .header = &loaded.header, .limit = job.steps, .tile = started.nodes};
-    found = lane(ray, tree, start_of(started.start, tree.root().first), on_accepted);
-    counters.tests += found.work.tests;
-    counters.nodes += found.work.nodes;
-  }
-  ++counters.rays;
-  counters.hits += found.hit.found;
-  return found;
-}
 
 shaded_t colour_of(const hit_t& hit, const Loaded& loaded, const Windows& windows) {
   if (!hit.found) return background(hit, loaded.paint);
@@ -141,36 +82,13 @@ WorkCounters& WorkCounters::operator+=(const WorkCounters& other) {
 
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options) {
   const Loaded loaded = load(job, windows);
-  Outcome outcome;
-  outcome.error = loaded.error;
-  if (loaded.error != ErrNone) return outcome;
-
+  if (loaded.error != ErrNone) return {.error = loaded.error};
+  if (job.is_list) return run_list(job, loaded, windows, options);
   std::vector<tile_t> tiles;
   for_each_tile(job, options.tile_log2, 1, [&](const tile_t& tile) { tiles.push_back(tile); });
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::size_t done = 0;
-  const auto work = [&] {
-    WorkCounters counters;
-    for (std::size_t i = next++; i < tiles.size(); i = next++) {
-      const error_t error = render_tile(tiles[i], job, loaded, windows, counters);
-      const std::scoped_lock lock(mutex);
-      if (error != ErrNone && outcome.error == ErrNone) {
-        outcome.error = error;
-        next = tiles.size();
-      }
-      ++done;
-      if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(tiles.size()));
-    }
-    const std::scoped_lock lock(mutex);
-    outcome.counters += counters;
-  };
-  const unsigned count = options.threads > 0 ? static_cast<unsigned>(options.threads) : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::jthread> pool;
-  for (unsigned i = 1; i < count; ++i) pool.emplace_back(work);
-  work();
-  pool.clear();
-  return outcome;
+  return in_parallel(tiles.size(), options, [&](std::size_t i, WorkCounters& counters) {
+    return render_tile(tiles[i], job, loaded, windows, counters);
+  });
 }
 
 RayTrace trace_pixel(const job_t& job, const Windows& windows, int x, int y) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The whole core as a plain program: mirrors rtl/castray_core.sv. A job reads the bytes of the
-// scene image and writes the bytes of the frame and hit buffers, equal to the RTL's bit for bit.
+// scene image, of a list of rays too, and writes the bytes of the frame and hit buffers, equal to the
+// RTL's bit for bit.
 // No outcome depends on lanes, contexts, order or time, so none of them exists here.
 #pragma once
 #include <functional>
@@ -11,11 +12,12 @@
 
 namespace castray {
 
-// The three windows of memory that a job may touch.
+// The windows of memory that a job may touch.
 struct Windows {
   std::span<const std::uint8_t> image;
   std::span<std::uint8_t> frame;
   std::span<std::uint8_t> hits;
+  std::span<const std::uint8_t> rays = {};
 };
 
 // The counters that do not depend on time.
@@ -48,7 +50,7 @@ struct RayTrace {
   hit_record_t record;
 };
 
-// Called now and then with the share of pixels done, 0 to 1.
+// Called now and then with the share of pixels or rays done, 0 to 1.
 using Progress = std::function<void(double)>;
 
 struct RunOptions {

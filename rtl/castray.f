@@ -85,6 +85,7 @@ rtl/mem/line_port.sv
 rtl/mem/line_tags.sv
 rtl/mem/line_wake.sv
 rtl/mem/prim_reader.sv
+rtl/mem/ray_request.sv
 rtl/mem/tile_gather.sv
 rtl/mem/tile_rows.sv
 rtl/camera/ray_source.sv

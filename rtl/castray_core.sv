@@ -130,6 +130,8 @@ module castray_core
   logic [WriteClients-1:0] write_valid, write_ready;
   write_req_t              write_req [WriteClients];
   logic                    write_beat;
+  assign read_valid[ReadRay] = 1'b0;
+  assign read_req[ReadRay]   = '0;
 
   axi_ports #(.Ports(Ports)) u_axi_ports (
     .clk_i, .rst_ni,

@@ -26,6 +26,19 @@ Comparison compare(const Rendering& a, const Rendering& b) {
   return result;
 }
 
+Comparison compare(const Answers& a, const Answers& b) {
+  Comparison result;
+  if (a.size() != b.size()) {
+    result.hits_differ = std::max(a.size(), b.size());
+    return result;
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (std::memcmp(&a.hits[i * HitBytes], &b.hits[i * HitBytes], HitBytes) == 0) continue;
+    if (result.hits_differ++ < kFirst) result.first.push_back(i);
+  }
+  return result;
+}
+
 std::string text_of(const Rendering& rendering, std::size_t pixel) {
   char word[16];
   std::snprintf(word, sizeof word, "0x%08x", rendering.pixels[pixel]);

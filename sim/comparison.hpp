@@ -19,6 +19,9 @@ struct Comparison {
 // Hit records are compared if both have them. Renderings of different sizes differ everywhere.
 Comparison compare(const Rendering& a, const Rendering& b);
 
+// The same of the answers to one list of rays: hits_differ, and `first` by the ray's number.
+Comparison compare(const Answers& a, const Answers& b);
+
 // Pixel and hit record of one place as text.
 std::string text_of(const Rendering& rendering, std::size_t pixel);
 

@@ -22,6 +22,13 @@ std::uint32_t pair(int low, int high) { return static_cast<std::uint32_t>(low) |
 }  // namespace
 
 hit_record_t Rendering::hit(std::size_t pixel) const { return load_record<hit_record_t>(&hits[pixel * HitBytes]); }
+hit_record_t Answers::hit(std::size_t ray) const { return load_record<hit_record_t>(&hits[ray * HitBytes]); }
+
+std::vector<std::uint8_t> bytes_of(std::span<const ray_record_t> rays) {
+  std::vector<std::uint8_t> bytes(rays.size() * RayBytes);
+  for (std::size_t i = 0; i < rays.size(); ++i) store_record(&bytes[i * RayBytes], rays[i]);
+  return bytes;
+}
 
 Driver::Driver(Device& device) : device_(device) {
   const auto expect = [&](const char* what, std::int64_t reg, std::int64_t expected) {
@@ -36,7 +43,7 @@ Driver::Driver(Device& device) : device_(device) {
 Driver::~Driver() { release(); }
 
 void Driver::release() {
-  for (Buffer* buffer : {&image_, &frame_, &hits_}) {
+  for (Buffer* buffer : {&image_, &frame_, &hits_, &rays_, &answers_}) {
     if (buffer->bytes) device_.release(*buffer);
     *buffer = {};
   }
@@ -56,21 +63,35 @@ void Driver::set_pointer(std::int64_t reg, std::uint64_t address) {
   set(reg + 4, static_cast<std::uint32_t>(address >> 32));
 }
 
+void Driver::set_image(std::uint32_t steps) {
+  set_pointer(RegImage, image_.address);
+  set(RegImageBytes, static_cast<std::uint32_t>(image_.bytes));
+  set(RegSteps, steps);
+}
+
 void Driver::set_arguments(const RenderOptions& options) {
   want_hits_ = options.hits;
-  set_pointer(RegImage, image_.address);
+  set_image(options.steps);
   set_pointer(RegFrame, frame_.address);
   set_pointer(RegHits, options.hits ? hits_.address : 0);
-  set(RegImageBytes, static_cast<std::uint32_t>(image_.bytes));
   set(RegFrameBytes, static_cast<std::uint32_t>(frame_.bytes));
   set(RegHitsBytes, options.hits ? static_cast<std::uint32_t>(hits_.bytes) : 0);
   set(RegFrameSize, pair(static_cast<int>(record_.width), static_cast<int>(record_.height)));
   set(RegOptions, (options.hits ? 1u << OptionHits : 0) | (options.z_order ? 1u << OptionZOrder : 0) |
                       (options.mode == Mode::kBrute ? 1u << OptionBrute : 0) | (options.mode == Mode::kBvhRoot ? 1u << OptionRoot : 0));
-  set(RegSteps, options.steps);
   const PixelWindow window = options.window.value_or(PixelWindow{});
   set(RegWindowMin, pair(window.x0, window.y0));
   set(RegWindowMax, pair(window.x1, window.y1));
+}
+
+void Driver::set_arguments(const QueryOptions& options) {
+  set_image(options.steps);
+  set_pointer(RegRays, rays_.address);
+  set(RegRayBytes, static_cast<std::uint32_t>(rays_.bytes));
+  set(RegRayCount, static_cast<std::uint32_t>(rays_.bytes / RayBytes));
+  set_pointer(RegHits, answers_.address);
+  set(RegHitsBytes, static_cast<std::uint32_t>(answers_.bytes));
+  set(RegOptions, 1u << OptionList | (options.mode == Mode::kBrute ? 1u << OptionBrute : 0));
 }
 
 void Driver::go() {
@@ -86,18 +107,35 @@ void Driver::start(const RenderOptions& options) {
   go();
 }
 
+void Driver::start(std::span<const std::uint8_t> rays, const QueryOptions& options) {
+  if (rays.empty() || rays.size() % RayBytes != 0 || rays.size() / RayBytes > MaxRays)
+    throw std::invalid_argument("a list of rays has 1 to " + std::to_string(MaxRays) + " records of " + std::to_string(RayBytes) + " bytes");
+  for (Buffer* buffer : {&rays_, &answers_})
+    if (buffer->bytes) device_.release(*buffer);
+  rays_ = device_.allocate(rays.size());
+  answers_ = device_.allocate(rays.size() / RayBytes * HitBytes);
+  device_.write(rays_.address, rays);
+  device_.write(answers_.address, std::vector<std::uint8_t>(answers_.bytes, kUntouched));
+  set_arguments(options);
+  go();
+}
+
 std::uint64_t Driver::counter(std::int64_t index) {
   const auto offset = static_cast<unsigned>(RegCounters + 8 * index);
   return device_.read_reg(offset) | std::uint64_t{device_.read_reg(offset + 4)} << 32;
 }
 
-Rendering Driver::finish() {
+error_t Driver::end_job(std::array<std::uint64_t, Counters>& counters) {
   set(RegIsr, device_.read_reg(RegIsr));
   const std::uint32_t control = device_.read_reg(RegControl);
   if (!(control >> CtrlDone & 1)) throw DeviceError("the interrupt came, but the job is not done: control register " + hex(control));
+  for (std::int64_t i = 0; i < Counters; ++i) counters[static_cast<std::size_t>(i)] = counter(i);
+  return static_cast<error_t>(device_.read_reg(RegError));
+}
+
+Rendering Driver::finish() {
   Rendering result;
-  result.error = static_cast<error_t>(device_.read_reg(RegError));
-  for (std::int64_t i = 0; i < Counters; ++i) result.counters[static_cast<std::size_t>(i)] = counter(i);
+  result.error = end_job(result.counters);
   result.width = static_cast<int>(record_.width);
   result.height = static_cast<int>(record_.height);
 
@@ -114,10 +152,28 @@ Rendering Driver::finish() {
   return result;
 }
 
+Answers Driver::finish_query() {
+  Answers result;
+  result.error = end_job(result.counters);
+  result.hits.resize(answers_.bytes);
+  device_.read(answers_.address, result.hits);
+  return result;
+}
+
+void Driver::wait(const Progress& progress) {
+  if (device_.wait_interrupt(progress) == Wait::kHung) throw DeviceError("the core hangs: no interrupt, and no traffic on its bus");
+}
+
 Rendering Driver::render(const RenderOptions& options, const Progress& progress) {
   start(options);
-  if (device_.wait_interrupt(progress) == Wait::kHung) throw DeviceError("the core hangs: no interrupt, and no traffic on its bus");
+  wait(progress);
   return finish();
+}
+
+Answers Driver::query(std::span<const std::uint8_t> rays, const QueryOptions& options, const Progress& progress) {
+  start(rays, options);
+  wait(progress);
+  return finish_query();
 }
 
 }  // namespace castray::sim

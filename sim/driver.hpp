@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -51,6 +52,26 @@ struct Rendering {
   hit_record_t hit(std::size_t pixel) const;
 };
 
+// A list of rays finds its hits in the hierarchy from the root (kBvh: the same) or by brute force.
+struct QueryOptions {
+  Mode mode = Mode::kBvhRoot;
+  std::uint32_t steps = 0;   // nodes that a ray may visit; 0: no limit
+};
+
+// The outcome of a list, in its order. On an error the records hold whatever the core had written by then.
+struct Answers {
+  error_t error = ErrNone;
+  std::vector<std::uint8_t> hits;   // raw records
+  std::array<std::uint64_t, Counters> counters{};
+
+  std::uint64_t cycles() const { return counters[CntCycles]; }
+  std::size_t size() const { return hits.size() / static_cast<std::size_t>(HitBytes); }
+  hit_record_t hit(std::size_t ray) const;
+};
+
+// Records of rays as a list is handed over.
+std::vector<std::uint8_t> bytes_of(std::span<const ray_record_t> rays);
+
 class Driver {
  public:
   // Throws DeviceError unless the version and parameter registers are those of this build.
@@ -64,23 +85,34 @@ class Driver {
   // Renders it: start(), wait_interrupt, finish(). Throws DeviceError when the core hangs.
   Rendering render(const RenderOptions& options = {}, const Progress& progress = {});
 
-  // The halves of render(), for whoever does something else meanwhile.
+  // The hits of a list of raw ray_record_t, 1 to MaxRays, in the loaded image. Throws likewise.
+  Answers query(std::span<const std::uint8_t> rays, const QueryOptions& options = {}, const Progress& progress = {});
+
+  // The halves of the two, for whoever does something else meanwhile.
   void start(const RenderOptions& options);
   Rendering finish();
+  void start(std::span<const std::uint8_t> rays, const QueryOptions& options);
+  Answers finish_query();
   // Writes an argument register by its castray_reg_pkg name, a pointer's two words.
   void set(std::int64_t reg, std::uint32_t value) { device_.write_reg(static_cast<unsigned>(reg), value); }
   void set_pointer(std::int64_t reg, std::uint64_t address);
   // Sets all arguments of a job on the loaded image, without starting it.
   void set_arguments(const RenderOptions& options);
+  void set_arguments(const QueryOptions& options);   // of the list of the last start
   void go();
 
   Device& device() { return device_; }
   const Buffer& image_buffer() const { return image_; }
   const Buffer& frame_buffer() const { return frame_; }
   const Buffer& hits_buffer() const { return hits_; }
+  const Buffer& rays_buffer() const { return rays_; }
+  const Buffer& answers_buffer() const { return answers_; }
 
  private:
   void release();
+  void set_image(std::uint32_t steps);
+  void wait(const Progress& progress);
+  error_t end_job(std::array<std::uint64_t, Counters>& counters);
   std::uint64_t counter(std::int64_t index);
 
   Device& device_;
@@ -88,6 +120,8 @@ class Driver {
   Buffer image_;
   Buffer frame_;
   Buffer hits_;
+  Buffer rays_;      // of a list
+  Buffer answers_;
   bool want_hits_ = false;
 };
 

@@ -6,20 +6,28 @@
 #include "model_device.hpp"
 
 namespace castray::sim {
+namespace {
 
-RtlRun run_rtl(const SceneImage& image, const RtlOptions& device_options, const RenderOptions& options, const Progress& progress) {
-  RtlDevice device(device_options);
+// job(driver) on the Verilated core, timed.
+template <class Job> void run_timed(const SceneImage& image, const RtlOptions& options, RtlFacts& facts, Job&& job) {
+  RtlDevice device(options);
   Driver driver(device);
   driver.load(image);
-  RtlRun run;
-  run.device = device.description();
+  facts.device = device.description();
   const auto start = std::chrono::steady_clock::now();
-  run.rendering = driver.render(options, progress);
-  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.bus = device.memory().counters();
-  run.shares = device.memory().shares();
-  run.violations = device.violations();
-  run.messages = device.memory().messages();
+  job(driver);
+  facts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  facts.bus = device.memory().counters();
+  facts.shares = device.memory().shares();
+  facts.violations = device.violations();
+  facts.messages = device.memory().messages();
+}
+
+}  // namespace
+
+RtlRun run_rtl(const SceneImage& image, const RtlOptions& device, const RenderOptions& options, const Progress& progress) {
+  RtlRun run;
+  run_timed(image, device, run, [&](Driver& driver) { run.rendering = driver.render(options, progress); });
   return run;
 }
 
@@ -28,6 +36,21 @@ Rendering run_model(const SceneImage& image, const RenderOptions& options, const
   Driver driver(device);
   driver.load(image);
   return driver.render(options, progress);
+}
+
+RtlQuery query_rtl(const SceneImage& image, std::span<const std::uint8_t> rays, const RtlOptions& device, const QueryOptions& options,
+                   const Progress& progress) {
+  RtlQuery run;
+  run_timed(image, device, run, [&](Driver& driver) { run.answers = driver.query(rays, options, progress); });
+  return run;
+}
+
+Answers query_model(const SceneImage& image, std::span<const std::uint8_t> rays, const QueryOptions& options, const Progress& progress,
+                    int threads) {
+  ModelDevice device(threads);
+  Driver driver(device);
+  driver.load(image);
+  return driver.query(rays, options, progress);
 }
 
 }  // namespace castray::sim

@@ -14,7 +14,7 @@ void ModelDevice::write_reg(unsigned offset, std::uint32_t value) {
     if (value & bit(CtrlStart)) wanted_ = true;
   } else if (offset == RegIsr) {
     registers_[RegIsr] ^= value & (bit(IsrDone) | bit(IsrReady));
-  } else if (offset < RegVersion) {
+  } else if (offset < RegVersion || (offset >= RegRays && offset < RegCounters)) {
     registers_[offset] = value;
   }
 }
@@ -54,8 +54,11 @@ Windows ModelDevice::windows(const job_t& job) {
     std::uint8_t* data = storage_.find(address, bytes);
     return std::span<std::uint8_t>(data, data ? bytes : 0);
   };
-  return {span(job.image, job.image_bytes), span(job.frame, job.frame_bytes),
-          job.want_hits ? span(job.hits, job.hits_bytes) : std::span<std::uint8_t>{}};
+  const std::span<std::uint8_t> none;
+  return {.image = span(job.image, job.image_bytes),
+          .frame = job.is_list ? none : span(job.frame, job.frame_bytes),
+          .hits = job.want_hits ? span(job.hits, job.hits_bytes) : none,
+          .rays = job.is_list ? span(job.rays, job.ray_bytes) : none};
 }
 
 void ModelDevice::run(const Progress& progress) {
@@ -65,10 +68,10 @@ void ModelDevice::run(const Progress& progress) {
   error_ = check_image(windows.image.data(), windows.image.size(), job);
   if (error_ != ErrNone) return;
   const bool hits_missing = job.want_hits && windows.hits.size() < job.hits_bytes;
-  if (windows.frame.size() < job.frame_bytes || hits_missing) {
-    error_ = ErrWriteBus;
-    return;
-  }
+  const bool frame_missing = !job.is_list && windows.frame.size() < job.frame_bytes;
+  if (job.is_list && windows.rays.size() < job.ray_bytes) error_ = ErrReadBus;
+  else if (frame_missing || hits_missing) error_ = ErrWriteBus;
+  if (error_ != ErrNone) return;
   const auto on_progress = [&](double fraction) {
     if (progress) progress(fraction, 0);
   };

@@ -7,10 +7,11 @@ namespace castray {
 
 inline hit_record_t hit_record(const hit_t& hit) {
   hit_record_t record;
-  record.t = hit.found ? hit.t : TMax;
-  record.u = hit.found ? hit.u : 0;
-  record.v = hit.found ? hit.v : 0;
-  record.prim = hit.found ? hit.number : NoHit;
+  const bool whole = hit.found && !hit.any_hit;   // where it was hit is told
+  record.t = whole ? hit.t : hit.found ? 0 : TMax;
+  record.u = whole ? hit.u : 0;
+  record.v = whole ? hit.v : 0;
+  record.prim = whole ? hit.number : hit.found ? AnyHit : NoHit;
   record.instance_id = hit.found ? 0 : NoHit;
   return record;
 }

@@ -52,9 +52,11 @@ inline error_t check_job(const job_t& job) {
   const auto range_ok = [](std::uint64_t first, std::uint64_t end, std::uint64_t size) {
     return size >= 1 && size <= MaxFrameSize && first < end && end <= size;
   };
-  const bool ok = !job.illegal && range_ok(job.x0, job.x1, job.width) && range_ok(job.y0, job.y1, job.height) &&
-                  window_ok(job.image, job.image_bytes, ImageAlign) && job.image_bytes >= HeaderBytes + FrameBytes &&
-                  window_ok(job.frame, job.frame_bytes, BufferAlign) &&
+  const bool frame_ok = range_ok(job.x0, job.x1, job.width) && range_ok(job.y0, job.y1, job.height) &&
+                        window_ok(job.frame, job.frame_bytes, BufferAlign);
+  const bool list_ok = job.ray_count >= 1 && job.ray_count <= MaxRays && window_ok(job.rays, job.ray_bytes, BufferAlign);
+  const bool ok = !job.illegal && (job.is_list ? list_ok : frame_ok) && window_ok(job.image, job.image_bytes, ImageAlign) &&
+                  job.image_bytes >= HeaderBytes + FrameBytes &&
                   (!job.want_hits || window_ok(job.hits, job.hits_bytes, BufferAlign));
   return ok ? ErrNone : ErrRegister;
 }
@@ -76,6 +78,10 @@ inline error_t check_records(const image_header_t& header, const frame_record_t&
   if (!section_ok(header.nodes, NodeBytes, header.image_bytes)) return ErrSection;
   if (header.primitives > header.attributes.count) return ErrSection;
   if (header.primitives > static_cast<std::uint64_t>(NoPrim)) return ErrPrimitive;
+  if (job.is_list) {
+    if (job.ray_count * RayBytes > job.ray_bytes) return ErrRayWindow;
+    return job.ray_count * HitBytes > job.hits_bytes ? ErrHitWindow : ErrNone;
+  }
   const std::uint64_t row = job.width * PixelBytes;
   if (frame.width != job.width || frame.height != job.height || frame.stride % BufferAlign != 0 || frame.stride < row ||
       frame.pixel_format > static_cast<std::uint64_t>(PixelBgra8) || (frame.eye_x >> CoordW) != 0 ||

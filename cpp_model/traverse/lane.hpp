@@ -15,6 +15,7 @@ inline hit_t hit_of(const ray_t& ray, const Nearest& nearest) {
   hit_t hit;
   hit.tag = ray.tag;
   hit.found = nearest.found();
+  hit.any_hit = ray.any_hit;
   hit.kind = best.kind;
   hit.number = best.number;
   hit.t = best.t;

@@ -99,8 +99,8 @@ module axi_lite_regs
 
   // ---- Arguments: 32-bit words, two for a pointer ----
   typedef struct packed {
-    logic [31:0] steps, window_max, window_min, options, frame_size, hits_bytes, frame_bytes, image_bytes;
-    logic [63:0] hits, frame, image;
+    logic [31:0] ray_count, ray_bytes, steps, window_max, window_min, options, frame_size, hits_bytes, frame_bytes, image_bytes;
+    logic [63:0] rays, hits, frame, image;
   } args_t;
   args_t args_q;
 
@@ -127,6 +127,10 @@ module axi_lite_regs
         number(RegWindowMin):  args_q.window_min   <= merge(args_q.window_min, wdata_q, wstrb_q);
         number(RegWindowMax):  args_q.window_max   <= merge(args_q.window_max, wdata_q, wstrb_q);
         number(RegSteps):      args_q.steps        <= merge(args_q.steps, wdata_q, wstrb_q);
+        number(RegRays):       args_q.rays[31:0]   <= merge(args_q.rays[31:0], wdata_q, wstrb_q);
+        number(RegRays + 4):   args_q.rays[63:32]  <= merge(args_q.rays[63:32], wdata_q, wstrb_q);
+        number(RegRayBytes):   args_q.ray_bytes    <= merge(args_q.ray_bytes, wdata_q, wstrb_q);
+        number(RegRayCount):   args_q.ray_count    <= merge(args_q.ray_count, wdata_q, wstrb_q);
         default: ;
       endcase
     end
@@ -142,30 +146,40 @@ module axi_lite_regs
 
   function automatic job_t job_of(args_t args);
     logic [31:0] pairs, window_max;
+    logic        is_list, want_hits, frame_bad, list_bad;
+    is_list    = args.options[OptionList];
+    want_hits  = args.options[OptionHits] || is_list;
     window_max = (args.window_max == '0) ? args.frame_size : args.window_max;
     pairs      = args.frame_size | args.window_min | args.window_max;
+    frame_bad  = (pairs[15:0] >> $bits(extent_t)) != '0 || (pairs[31:16] >> $bits(extent_t)) != '0 ||
+                 args.frame[63:AddrW] != '0;
+    list_bad   = args.rays[63:AddrW] != '0 || (args.ray_count >> $bits(ray_count_t)) != '0;
     return '{
       image:       args.image[AddrW-1:0],
       frame:       args.frame[AddrW-1:0],
       hits:        args.hits[AddrW-1:0],
+      rays:        args.rays[AddrW-1:0],
       image_bytes: args.image_bytes,
       frame_bytes: args.frame_bytes,
       hits_bytes:  args.hits_bytes,
+      ray_bytes:   args.ray_bytes,
+      ray_count:   ray_count_t'(args.ray_count),
       width:       low_of(args.frame_size),
       height:      high_of(args.frame_size),
       x0:          low_of(args.window_min),
       y0:          high_of(args.window_min),
       x1:          low_of(window_max),
       y1:          high_of(window_max),
-      want_hits:   args.options[OptionHits],
+      is_list:     is_list,
+      want_hits:   want_hits,
+      want_work:   args.options[OptionWork],
       z_order:     args.options[OptionZOrder],
       brute:       args.options[OptionBrute],
       from_root:   args.options[OptionRoot],
       steps:       (args.steps == '0) ? '1 : steps_t'(args.steps),
-      illegal:     (pairs[15:0] >> $bits(extent_t)) != '0 || (pairs[31:16] >> $bits(extent_t)) != '0 ||
-                   (args.options >> NumOptions) != '0 || (args.steps >> $bits(steps_t)) != '0 ||
-                   args.image[63:AddrW] != '0 || args.frame[63:AddrW] != '0 ||
-                   (args.options[OptionHits] && args.hits[63:AddrW] != '0)
+      illegal:     (is_list ? list_bad : frame_bad) || (args.options >> NumOptions) != '0 || args.options[OptionWork] ||
+                   (args.steps >> $bits(steps_t)) != '0 || args.image[63:AddrW] != '0 ||
+                   (want_hits && args.hits[63:AddrW] != '0)
     };
   endfunction
 
@@ -281,6 +295,10 @@ module axi_lite_regs
         number(RegWindowMin):  rdata_q <= args_q.window_min;
         number(RegWindowMax):  rdata_q <= args_q.window_max;
         number(RegSteps):      rdata_q <= args_q.steps;
+        number(RegRays):       rdata_q <= args_q.rays[31:0];
+        number(RegRays + 4):   rdata_q <= args_q.rays[63:32];
+        number(RegRayBytes):   rdata_q <= args_q.ray_bytes;
+        number(RegRayCount):   rdata_q <= args_q.ray_count;
         number(RegVersion):    rdata_q <= Version;
         number(RegConfig):     rdata_q <= Config;
         number(RegParameters): rdata_q <= castray_image_pkg::ImageParameters;

@@ -65,7 +65,7 @@ module job_control
   endfunction
 
   function automatic logic legal(job_t job);
-    return !job.illegal && range_ok(job.x0, job.x1, job.width) && range_ok(job.y0, job.y1, job.height) &&
+    return !job.illegal && !job.is_list && range_ok(job.x0, job.x1, job.width) && range_ok(job.y0, job.y1, job.height) &&
            window_ok(job.image, job.image_bytes, ImageAlign) && job.image_bytes >= HeaderBytes + FrameBytes &&
            window_ok(job.frame, job.frame_bytes, BufferAlign) &&
            (!job.want_hits || window_ok(job.hits, job.hits_bytes, BufferAlign));

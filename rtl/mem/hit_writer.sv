@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the record of each ray, hit or miss, to the hit buffer:
-//   32 bytes at base + 32 (y width + x);  a miss: t = TMax, u = v = 0, numbers NoHit
+//   32 bytes at base + 32 (y width + x);  a miss: t = TMax, u = v = 0, numbers NoHit;
+//   a hit of a ray that asked for any: t = u = v = 0, number AnyHit
 //   s0  row = y width        12x13, one DSP
 //   s1  index = row + x
 //   s2  address
@@ -33,6 +34,7 @@ module hit_writer
   // What a record holds of a hit.
   typedef struct packed {
     logic  found;
+    logic  any_hit;
     prim_t number;
     t_t    t;
     bary_t u;
@@ -47,14 +49,18 @@ module hit_writer
   endfunction
   function automatic hit_record_t record_of(kept_t hit);
     logic signed [31:0] t;
-    t = 32'(hit.t);
+    logic               whole;   // where it was hit is told
+    t     = 32'(hit.t);
+    whole = hit.found && !hit.any_hit;
     return '{
       reserved:    '0,
+      tests:       '0,
+      nodes:       '0,
       instance_id: hit.found ? '0 : NoHit,
-      prim:        hit.found ? 32'(hit.number) : NoHit,
-      v:           hit.found ? 32'(hit.v) : '0,
-      u:           hit.found ? 32'(hit.u) : '0,
-      t:           hit.found ? t : 32'(TMax)
+      prim:        whole ? 32'(hit.number) : hit.found ? AnyHit : NoHit,
+      v:           whole ? 32'(hit.v) : '0,
+      u:           whole ? 32'(hit.u) : '0,
+      t:           whole ? t : hit.found ? '0 : 32'(TMax)
     };
   endfunction
 
@@ -78,7 +84,7 @@ module hit_writer
     if (load[0]) begin
       row_q     <= row_start(in_i.tag.y, width_i);
       x_q       <= in_i.tag.x;
-      kept_q[0] <= '{found: in_i.found, number: in_i.number, t: in_i.t, u: in_i.u, v: in_i.v};
+      kept_q[0] <= '{found: in_i.found, any_hit: in_i.any_hit, number: in_i.number, t: in_i.t, u: in_i.u, v: in_i.v};
     end
     if (load[1]) index_q <= row_q + index_t'(x_q);
     if (load[2]) addr_q <= place(base_i, index_q);

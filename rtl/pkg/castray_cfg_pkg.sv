@@ -58,6 +58,8 @@ package castray_cfg_pkg;
   // A column or row of a frame, and so the largest side of a frame. Fixed.
   localparam int unsigned PixelW       = 12;
   localparam int unsigned MaxFrameSize = 1 << PixelW;
+  // Rays of a list: a ray's number takes the place of a column and a row. Fixed.
+  localparam int unsigned MaxRays      = 1 << (2 * PixelW);
   // Fraction bits of a frame record's pitch and focal length, which are below one. Fixed.
   localparam int unsigned ScaleFrac = 44;
   // Fraction bits of an element of its matrix. Fixed.

@@ -16,8 +16,10 @@ package castray_image_pkg;
   localparam int unsigned NodeBytes    = 64;
   localparam int unsigned AttrBytes    = 64;
   localparam int unsigned HitBytes     = 32;
+  localparam int unsigned RayBytes     = 64;
   localparam int unsigned PixelBytes   = 4;
   localparam logic [31:0] NoHit        = 32'hffffffff;  // number and instance in the record of a miss
+  localparam logic [31:0] AnyHit       = 32'hfffffffe;  // number in the record of a ray that asked for any hit
 
   // What the fields of image and hit records are in units of, of the widths that may be chosen; the
   // fixed ones belong to the version. Compared whole: the layout is the same for all of them.
@@ -137,11 +139,33 @@ package castray_image_pkg;
     hit_t  hit;
   } shade_req_t;
 
-  // One record of the hit buffer.
+  // One ray of a list.
   typedef struct packed {
     logic [95:0]        reserved;
+    logic [31:0]        ignore;       // this primitive is not hit; NoHit: none
+    logic signed [31:0] tmax;         // Q27.4; hits lie strictly between the two
+    logic signed [31:0] tmin;
+    logic signed [63:0] dir_z;        // Q3.42
+    logic signed [63:0] dir_y;
+    logic signed [63:0] dir_x;
+    logic [31:0]        flags;        // see the Ray bits
+    logic [31:0]        org_z;        // grid steps from the scene's corner
+    logic [31:0]        org_y;
+    logic [31:0]        org_x;
+  } ray_record_t;
+
+  // Bits of its flags.
+  localparam int unsigned RayAnyHit   = 0;   // any hit will do
+  localparam int unsigned RayCull     = 1;   // back faces are not hit
+  localparam int unsigned NumRayFlags = 2;   // from bit 0 up
+
+  // One record of the hit buffer.
+  typedef struct packed {
+    logic [31:0]        reserved;
+    logic [31:0]        tests;        // of the ray, if they are asked for
+    logic [31:0]        nodes;
     logic [31:0]        instance_id;  // 0: no instances; NoHit for a miss
-    logic [31:0]        prim;         // NoHit for a miss
+    logic [31:0]        prim;         // NoHit for a miss; AnyHit: a primitive
     logic [31:0]        v;            // Q1.24
     logic [31:0]        u;            // Q1.24
     logic signed [31:0] t;            // Q27.4, TMax for a miss

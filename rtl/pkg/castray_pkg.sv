@@ -29,6 +29,8 @@ package castray_pkg;
   typedef logic [DistW-1:0]                dist_t;     // t[CoordW+TFrac-1 -: DistW] of a t_t, zero for a negative one
   typedef logic [PixelW-1:0]               pixel_t;    // column or row of a frame
   typedef logic [PixelW:0]                 extent_t;   // a number of them, up to MaxFrameSize
+  typedef logic [2*PixelW-1:0]             ray_no_t;   // a ray's number in a list
+  typedef logic [2*PixelW:0]               ray_count_t; // how many there are, up to MaxRays
 
   localparam prim_t  NoPrim = '1;
   localparam t_t     TMax   = t_t'((1 << (CoordW + TFrac)) - 1);
@@ -45,7 +47,8 @@ package castray_pkg;
   // ---- Camera ----
   typedef logic signed [PixelW:0] offset_t;   // from a frame's centre, half pixels
 
-  // One pixel of the walk. slot: the tile's place in the gather buffer.
+  // One pixel of the walk. slot: the tile's place in the gather buffer. Of a ray of a list {y, x} is
+  // its number.
   typedef struct packed {
     logic [7:0] slot;
     pixel_t     y;
@@ -76,6 +79,19 @@ package castray_pkg;
     dir_t       dir;
   } pixel_dir_t;
 
+  // A ray that is asked for, of a camera or of a list, before its shear is divided.
+  typedef struct packed {
+    pixel_tag_t tag;
+    point_t     org;
+    dir_t       dir;
+    t_t         tmin;     // as in ray_t
+    t_t         tmax;
+    logic       cull;
+    logic       any_hit;
+    logic       ok;       // false: it hits nothing, whatever the rest is
+    prim_t      ignore;
+  } ray_req_t;
+
   // One over the magnitude of a component S of the shear, rounded down:
   //   mant 2^(exp-16) <= 1 / |S| <= (mant + 1) 2^(exp-16)      2^16 <= mant
   // zero: S is 0; then mant is 2^16 and exp 31, beyond any other.
@@ -95,7 +111,7 @@ package castray_pkg;
     norm2_t     norm2;
     axis_t      axis;
     logic       neg;      // the direction's dominant component is negative
-    logic       valid;    // false: the direction is zero and nothing is hit
+    logic       valid;    // false: nothing is hit; the direction is zero, or it was not ok
     logic       cull;     // back faces are not hit
     logic       any_hit;  // any hit will do
     t_t         tmin;     // hits lie strictly between tmin and tmax
@@ -254,6 +270,7 @@ package castray_pkg;
   typedef struct packed {
     pixel_tag_t tag;
     logic       found;
+    logic       any_hit;  // the ray asked for any hit: which one was found, and where, says nothing
     logic       kind;
     prim_t      number;
     t_t         t;
@@ -331,10 +348,11 @@ package castray_pkg;
   } line_fill_t;
 
   // Clients of the read arbiter, in this order.
-  localparam int unsigned ReadClients   = 3;
+  localparam int unsigned ReadClients   = 4;
   localparam int unsigned ReadJob       = 0;
   localparam int unsigned ReadPrimitive = 1;
   localparam int unsigned ReadAttribute = 2;
+  localparam int unsigned ReadRay       = 3;
   // Clients of the write arbiter.
   localparam int unsigned WriteClients = 2;
   localparam int unsigned WritePixel   = 0;
@@ -396,16 +414,21 @@ package castray_pkg;
     addr_t       image;
     addr_t       frame;
     addr_t       hits;
+    addr_t       rays;          // of a list
     logic [31:0] image_bytes;
     logic [31:0] frame_bytes;
     logic [31:0] hits_bytes;
+    logic [31:0] ray_bytes;
+    ray_count_t  ray_count;
     extent_t     width;
     extent_t     height;
     extent_t     x0;            // the window that is rendered: x0 <= x < x1, y0 <= y < y1
     extent_t     y0;
     extent_t     x1;
     extent_t     y1;
-    logic        want_hits;
+    logic        is_list;        // a list of rays, no frame
+    logic        want_hits;     // of a list: always
+    logic        want_work;     // the records hold what was done for each ray
     logic        z_order;       // tiles along a Z curve, else in rows
     logic        brute;         // every ray against every primitive
     logic        from_root;     // every ray starts at the root
@@ -430,6 +453,7 @@ package castray_pkg;
     ErrLeaf        = 8'd12,  // a leaf is out of range
     ErrStack       = 8'd13,  // the hierarchy is deeper than a ray's stack
     ErrSteps       = 8'd14,  // a ray visited more nodes than the job allows
-    ErrRay         = 8'd15   // a ray of the list is illegal
+    ErrRay         = 8'd15,  // a ray of the list has a flag that is none
+    ErrRayWindow   = 8'd16   // the list of rays ends behind its window
   } error_t;
 endpackage

@@ -28,6 +28,11 @@ package castray_reg_pkg;
   localparam int unsigned RegParameters = 'h088;  // ImageParameters of this build
   localparam int unsigned RegError      = 'h08c;  // error_t of the last job
 
+  // Of a list of rays.
+  localparam int unsigned RegRays       = 'h090;  // its records, 64-bit pointer, 64-byte aligned
+  localparam int unsigned RegRayBytes   = 'h09c;  // size of their window, bytes
+  localparam int unsigned RegRayCount   = 'h0a4;  // 1 to MaxRays
+
   // Counters of the last job, 64 bits each, low word first.
   localparam int unsigned RegCounters     = 'h100;
   localparam int unsigned CntCycles       = 0;   // accepted start to done
@@ -74,5 +79,7 @@ package castray_reg_pkg;
   localparam int unsigned OptionZOrder = 1;      // walk the tiles along a Z curve
   localparam int unsigned OptionBrute  = 2;      // every ray against every primitive, without the hierarchy
   localparam int unsigned OptionRoot   = 3;      // every ray starts at the root, without tile_start
-  localparam int unsigned NumOptions   = 4;      // from bit 0 up
+  localparam int unsigned OptionWork   = 4;      // reserved: the records hold the nodes and tests of each ray
+  localparam int unsigned OptionList   = 5;      // a list of rays, no frame
+  localparam int unsigned NumOptions   = 6;      // from bit 0 up
 endpackage

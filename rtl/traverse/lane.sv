@@ -110,7 +110,7 @@ module lane
     .step_ctx_i(step_ctx), .step_any_hit_o(any_hit),
     .hit_ctx_i(hit_ctx), .hit_ray_o(hit_ray),
     .out_ctx_i(IdxW'(out_ctx)), .out_tag_o(hit_o.tag), .out_sx_o(hit_o.sx), .out_sy_o(hit_o.sy),
-    .out_axis_o(hit_o.axis), .out_neg_o(hit_o.neg)
+    .out_axis_o(hit_o.axis), .out_neg_o(hit_o.neg), .out_any_hit_o(hit_o.any_hit)
   );
 
   // ---- Steps through the hierarchy ----

@@ -42,7 +42,8 @@ module ray_store
   output shear_t          out_sx_o,
   output shear_t          out_sy_o,
   output axis_t           out_axis_o,
-  output logic            out_neg_o
+  output logic            out_neg_o,
+  output logic            out_any_hit_o
 );
   // One array a field: what no unit reads together is not stored together.
   coord_t     org_x_q [Contexts];
@@ -103,4 +104,5 @@ module ray_store
   assign out_sy_o   = sy_q[out_ctx_i];
   assign out_axis_o = axis_q[out_ctx_i];
   assign out_neg_o  = flags_q[out_ctx_i][0];
+  assign out_any_hit_o = flags_q[out_ctx_i][3];
 endmodule

@@ -127,8 +127,13 @@ TEST_F(AxiLiteRegs, LatchTheJobAtItsStart) {
     for (const std::int64_t offset : kArguments) {
       std::uint32_t value = static_cast<std::uint32_t>(rng());
       const int kind = static_cast<int>(rng() % 4);
-      if (kind != 0) value &= offset == RegOptions ? (1u << NumOptions) - 1 : offset == RegSteps ? 0xffffff : offset >= RegFrameSize ? 0x1fff1fff : 0xffffff00;
-      if (kind != 0 && (offset == RegImage + 4 || offset == RegFrame + 4 || offset == RegHits + 4)) value >>= 24;
+      if (kind != 0) value &= offset == RegOptions ? (1u << NumOptions) - 1
+                             : offset == RegSteps    ? 0xffffff
+                             : offset == RegRayCount ? 0x1ffffff
+                             : offset >= RegFrameSize && offset <= RegWindowMax ? 0x1fff1fff
+                                                                                : 0xffffff00;
+      if (offset == RegOptions && rng() % 4 != 0) value &= ~(1u << OptionWork);
+      if (kind != 0 && (offset == RegImage + 4 || offset == RegFrame + 4 || offset == RegHits + 4 || offset == RegRays + 4)) value >>= 24;
       if (kind == 1 && (offset == RegWindowMax || offset == RegSteps)) value = 0;
       write(offset, value);
     }
@@ -151,6 +156,7 @@ class AxiLiteRegsField : public AxiLiteRegs {
   bool illegal(std::int64_t offset, std::uint32_t value) {
     for (const std::int64_t other : kArguments) write(other, 0);
     if (offset == RegHits + 4) write(RegOptions, 1u << OptionHits);
+    if (offset == RegRays + 4 || offset == RegRayCount) write(RegOptions, 1u << OptionList);
     write(offset, value);
     const job_t expected = model_job();
     write(RegControl, kStart);
@@ -166,10 +172,11 @@ TEST_F(AxiLiteRegsField, BitsOutsideAFieldAreIllegal) {
   for (unsigned bit = 0; bit < 32; ++bit) {
     for (const std::int64_t offset : {RegFrameSize, RegWindowMin, RegWindowMax})
       EXPECT_EQ(illegal(offset, 1u << bit), bit % 16 >= 13) << offset << " bit " << bit;
-    for (const std::int64_t offset : {RegImage + 4, RegFrame + 4, RegHits + 4})
+    for (const std::int64_t offset : {RegImage + 4, RegFrame + 4, RegHits + 4, RegRays + 4})
       EXPECT_EQ(illegal(offset, 1u << bit), bit >= 8) << offset << " bit " << bit;
-    EXPECT_EQ(illegal(RegOptions, 1u << bit), bit >= NumOptions) << bit;
+    EXPECT_EQ(illegal(RegOptions, 1u << bit), bit >= NumOptions || bit == OptionWork) << bit;
     EXPECT_EQ(illegal(RegSteps, 1u << bit), bit >= steps_t_bits) << bit;
+    EXPECT_EQ(illegal(RegRayCount, 1u << bit), bit >= ray_count_t_bits) << bit;
   }
 }
 
@@ -178,6 +185,31 @@ TEST_F(AxiLiteRegsField, TheHitPointerIsNotLookedAtWithoutHits) {
   write(RegControl, kStart);
   wait(1);
   EXPECT_FALSE(job_.illegal);
+}
+
+// Of a list nothing of a frame, of a frame nothing of a list; a list's hits are wanted.
+TEST_F(AxiLiteRegs, EachKindOfJobLooksAtItsOwnRegisters) {
+  for (const bool list : {false, true}) {
+    for (const std::int64_t offset : kArguments) write(offset, 0);
+    for (const std::int64_t offset : {RegFrame + 4, RegFrameSize, RegWindowMin, RegWindowMax}) write(offset, list ? 0xffffffff : 0);
+    for (const std::int64_t offset : {RegRays + 4, RegRayCount}) write(offset, list ? 0 : 0xffffffff);
+    write(RegOptions, list ? 1u << OptionList : 0);
+    write(RegControl, kStart);
+    wait(1);
+    EXPECT_FALSE(job_.illegal) << list;
+    EXPECT_EQ(job_.is_list, list);
+    EXPECT_EQ(job_.want_hits, list);
+    finish_job();
+    wait(2);
+  }
+}
+
+TEST_F(AxiLiteRegsField, TheHitPointerOfAListIsLookedAt) {
+  write(RegHits + 4, 1u << 8);
+  write(RegOptions, 1u << OptionList);
+  write(RegControl, kStart);
+  wait(1);
+  EXPECT_TRUE(job_.illegal);
 }
 
 TEST_F(AxiLiteRegs, AnEmptyWindowMaxMeansTheFrame) {

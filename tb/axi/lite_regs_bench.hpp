@@ -11,7 +11,8 @@ inline constexpr std::uint32_t kStart = 1u << CtrlStart, kDone = 1u << CtrlDone,
                         kRestart = 1u << CtrlAutoRestart, kInterrupt = 1u << CtrlInterrupt;
 
 inline constexpr std::int64_t kArguments[] = {RegImage,      RegImage + 4,  RegFrame,     RegFrame + 4, RegHits,      RegHits + 4,  RegImageBytes,
-                                              RegFrameBytes, RegHitsBytes,  RegFrameSize, RegOptions,   RegWindowMin, RegWindowMax, RegSteps};
+                                              RegFrameBytes, RegHitsBytes,  RegFrameSize, RegOptions,   RegWindowMin, RegWindowMax, RegSteps,
+                                              RegRays,       RegRays + 4,   RegRayBytes,  RegRayCount};
 
 class AxiLiteRegs : public testing::Test {
  protected:

@@ -35,6 +35,7 @@ TEST_F(SceneImagePage, ListsEveryFieldAtItsPlace) {
   compare<node_t>("Nodes", 1, NodeBytes);
   compare<attr_t>("Attributes", 1, AttrBytes);
   compare<hit_record_t>("Hit record", 8, HitBytes);
+  compare<ray_record_t>("Ray record", 8, RayBytes);
 }
 
 TEST_F(SceneImagePage, ListsEveryConstant) {
@@ -53,6 +54,8 @@ TEST_F(SceneImagePage, AlignsWordsOfTheByteRecords) {
   frame.each_field(aligned);
   hit_record_t hit;
   hit.each_field(aligned);
+  ray_record_t ray;
+  ray.each_field(aligned);
 }
 
 }  // namespace castray::tb

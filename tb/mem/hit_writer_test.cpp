@@ -35,7 +35,7 @@ class HitWriter : public testing::TestWithParam<Stalls> {
 
 hit_t random_hit(std::mt19937_64& rng) {
   hit_t h;
-  h.found = rng() & 1;
+  h.found = rng() & 1, h.any_hit = rng() & 1;
   h.tag.x = rng() & 4095, h.tag.y = rng() & 4095;
   h.number = rng() & static_cast<std::uint64_t>(NoPrim);
   h.t = wrap_signed(static_cast<std::int64_t>(rng()), t_t_bits);
@@ -65,6 +65,20 @@ TEST_F(HitWriter, WritesAMissAsAllOnesAtTMax) {
   const std::uint32_t want[8] = {0x3fffffff, 0, 0, 0xffffffff, 0xffffffff, 0, 0, 0};
   for (int i = 0; i < 8; ++i) EXPECT_EQ(got[0].data[i], want[i]) << i;
   for (int i = 8; i < 16; ++i) EXPECT_EQ(got[0].data[i], 0u) << i;
+}
+
+TEST_F(HitWriter, SaysOfAnyHitOnlyThatItIsOne) {
+  dut_->base_i = 0;
+  dut_->width_i = 1;
+  for (const bool found : {false, true}) {
+    hit_t any;
+    any.any_hit = 1, any.found = found;
+    any.t = 123, any.u = 4, any.v = 5, any.number = 6;
+    const auto got = run_stream<write_req_t>(dut_, std::vector<hit_t>{any}, 1);
+    ASSERT_EQ(got.size(), 1u);
+    const std::uint32_t yes[8] = {0, 0, 0, 0xfffffffe, 0, 0, 0, 0}, no[8] = {0x3fffffff, 0, 0, 0xffffffff, 0xffffffff, 0, 0, 0};
+    for (int i = 0; i < 8; ++i) EXPECT_EQ(got[0].data[i], found ? yes[i] : no[i]) << i;
+  }
 }
 
 TEST_F(HitWriter, KeepsEveryExtreme) {

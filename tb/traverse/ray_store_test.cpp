@@ -44,6 +44,7 @@ class RayStore : public testing::Test {
     EXPECT_EQ(get_signed(dut_->out_sy_o, shear_t_bits), out.sy);
     EXPECT_EQ(dut_->out_axis_o, out.axis);
     EXPECT_EQ(dut_->out_neg_o, out.neg);
+    EXPECT_EQ(dut_->out_any_hit_o, out.any_hit);
   }
   void expect(const ray_t& ray) { expect({}, {ray}); }
   Dut<Vray_store> dut_;
