@@ -46,14 +46,14 @@ TileStart start_tile(const tile_t& tile, const job_t& job, const Loaded& loaded,
 }
 
 // One tile into the frame and hit buffers.
-error_t render_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, const Windows& windows, WorkCounters& counters) {
+Errors render_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, const Windows& windows, bool every_error, WorkCounters& counters) {
   const TileStart start = start_tile(tile, job, loaded, windows);
   counters.tile_nodes += static_cast<std::uint64_t>(start.read);
-  error_t error = start.error;
+  Errors errors = start.error;
   const bool empty = start.start == static_cast<std::uint64_t>(TileEmpty);
-  if (empty && error == ErrNone && !job.want_hits) ++counters.empty_tiles;
+  if (empty && start.error == ErrNone && !job.want_hits) ++counters.empty_tiles;
   for_each_pixel(tile, [&](const pixel_tag_t& tag) {
-    if (error != ErrNone) return;
+    if (start.error != ErrNone || (errors.first != ErrNone && !every_error)) return;
     TreeHit found;
     found.hit.tag = tag;
     if (!empty) {
@@ -61,10 +61,10 @@ error_t render_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, 
       found = cast(slab_setup(ray), job, loaded, windows, {start.start, std::span(start.nodes.node).first(start.nodes.count)},
                    counters, [](const cand_t&, const result_t*) {});
     }
-    error = found.error;
-    if (error == ErrNone) write_pixel(found.hit, job, loaded, windows);
+    errors += found.error;
+    if (found.error == ErrNone) write_pixel(found.hit, job, loaded, windows);
   });
-  return error;
+  return errors;
 }
 
 }  // namespace
@@ -82,12 +82,12 @@ WorkCounters& WorkCounters::operator+=(const WorkCounters& other) {
 
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options) {
   const Loaded loaded = load(job, windows);
-  if (loaded.error != ErrNone) return {.error = loaded.error};
+  if (loaded.error != ErrNone) return {.error = loaded.error, .errors = Errors(loaded.error).all};
   if (job.is_list) return run_list(job, loaded, windows, options);
   std::vector<tile_t> tiles;
   for_each_tile(job, options.tile_log2, 1, [&](const tile_t& tile) { tiles.push_back(tile); });
   return in_parallel(tiles.size(), options, [&](std::size_t i, WorkCounters& counters) {
-    return render_tile(tiles[i], job, loaded, windows, counters);
+    return render_tile(tiles[i], job, loaded, windows, options.every_error, counters);
   });
 }
 

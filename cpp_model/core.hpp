@@ -33,8 +33,23 @@ struct WorkCounters {
   bool operator==(const WorkCounters&) const = default;
 };
 
+// The errors of a job, or of a part of it: that of the first ray or tile that has one, and a bit for the code of each.
+struct Errors {
+  error_t first = ErrNone;
+  std::uint32_t all = 0;
+
+  Errors() = default;
+  Errors(error_t error) : first(error), all(error == ErrNone ? 0 : std::uint32_t{1} << error) {}
+  Errors& operator+=(const Errors& behind) {
+    if (first == ErrNone) first = behind.first;
+    all |= behind.all;
+    return *this;
+  }
+};
+
 struct Outcome {
-  error_t error = ErrNone;
+  error_t error = ErrNone;    // the first part's that has one
+  std::uint32_t errors = 0;   // a bit for each: complete if every error was asked for
   WorkCounters counters;
 };
 
@@ -57,9 +72,10 @@ struct RunOptions {
   int tile_log2 = DefaultTileLog2;  // the work depends on it, the outcome does not
   int threads = 0;                  // 0: all of the machine
   Progress progress;
+  bool every_error = false;         // goes on behind an error: which of them a core meets first is a matter of time
 };
 
-// Runs a job. On an error nothing more is written.
+// Runs a job. On an error nothing more is written, unless every one is asked for.
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options = {});
 
 // The stages of the ray through pixel (x, y). Throws std::runtime_error with the error code's

@@ -11,21 +11,24 @@
 
 namespace castray {
 
-// work(part, counters) for each part below `parts`, until one gives an error: the job's.
+// work(part, counters) for each part below `parts`, until one gives an error: the job's. Parts begin in their order, so
+// that the first part with an error is always the same.
 template <class Work> Outcome in_parallel(std::size_t parts, const RunOptions& options, Work&& work) {
   Outcome outcome;
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
-  std::size_t done = 0;
+  std::size_t done = 0, failed = parts;
   const auto worker = [&] {
     WorkCounters counters;
     for (std::size_t i = next++; i < parts; i = next++) {
-      const error_t error = work(i, counters);
+      const Errors errors = work(i, counters);
       const std::scoped_lock lock(mutex);
-      if (error != ErrNone && outcome.error == ErrNone) {
-        outcome.error = error;
-        next = parts;
+      outcome.errors |= errors.all;
+      if (errors.first != ErrNone && i < failed) {
+        outcome.error = errors.first;
+        failed = i;
       }
+      if (failed < parts && !options.every_error) next = parts;
       ++done;
       if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(parts));
     }

@@ -26,9 +26,10 @@ error_t answer(std::uint64_t number, const job_t& job, const Loaded& loaded, con
 Outcome run_list(const job_t& job, const Loaded& loaded, const Windows& windows, const RunOptions& options) {
   return in_parallel((job.ray_count + kPart - 1) / kPart, options, [&](std::size_t part, WorkCounters& counters) {
     const std::uint64_t end = std::min<std::uint64_t>((part + 1) * kPart, job.ray_count);
-    error_t error = ErrNone;
-    for (std::uint64_t i = part * kPart; i < end && error == ErrNone; ++i) error = answer(i, job, loaded, windows, counters);
-    return error;
+    Errors errors;
+    for (std::uint64_t i = part * kPart; i < end && (errors.first == ErrNone || options.every_error); ++i)
+      errors += answer(i, job, loaded, windows, counters);
+    return errors;
   });
 }
 

@@ -100,10 +100,14 @@ void Driver::go() {
   set(RegControl, 1u << CtrlStart);
 }
 
-void Driver::start(const RenderOptions& options) {
+void Driver::prepare(const RenderOptions& options) {
   device_.write(frame_.address, std::vector<std::uint8_t>(frame_.bytes, kUntouched));
   if (options.hits) device_.write(hits_.address, std::vector<std::uint8_t>(hits_.bytes, kUntouched));
   set_arguments(options);
+}
+
+void Driver::start(const RenderOptions& options) {
+  prepare(options);
   go();
 }
 

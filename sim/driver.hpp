@@ -88,8 +88,9 @@ class Driver {
   // The hits of a list of raw ray_record_t, 1 to MaxRays, in the loaded image. Throws likewise.
   Answers query(std::span<const std::uint8_t> rays, const QueryOptions& options = {}, const Progress& progress = {});
 
-  // The halves of the two, for whoever does something else meanwhile.
+  // The halves of the two, for whoever does something else meanwhile: start() is prepare() and go().
   void start(const RenderOptions& options);
+  void prepare(const RenderOptions& options);
   Rendering finish();
   void start(std::span<const std::uint8_t> rays, const QueryOptions& options);
   Answers finish_query();

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 .DEFAULT_GOAL := help
-.PHONY: help setup lint programs render render-run test test-run tests faults bench bench-run gallery hashes clean
+.PHONY: help setup lint programs render render-run test test-run tests faults long long-run bench bench-run gallery hashes clean
 
 RENDER_SCENE ?= scenes/teapot.json
 RENDER_SIZE  ?= 320x240
@@ -39,6 +39,14 @@ lint: $(LINTS) ## lint every module and test wrapper as its own top, and the cor
 programs: $(BUILD)/castray $(BUILD)/make_scene $(call cores_files,$(CORES_RENDER)) ## build the command-line programs
 
 tests: $(ALL_TESTS)
+
+long: ## the tests that have a long form, with it: docs/long.md (some 30 minutes)
+	@tools/setup.sh
+	@$(MAKE) --no-print-directory long-run
+
+LONG_TESTS := $(shell grep -l '^// Long: ' $(TESTS))
+long-run: $(LONG_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)
+	@python3 tools/long_runs.py -j $(JOBS) --page docs/long.md $(LONG_TESTS)
 
 bench: ## full frames, ladder, sweeps, timings: build/bench.json and docs/bench.md (some 20 minutes)
 	@tools/setup.sh

@@ -67,6 +67,12 @@ inline bool section_ok(const section_t& section, std::uint64_t record_bytes, std
                                 section.offset + section.count * record_bytes <= image_bytes);
 }
 
+// A reference that an image may hold. Where its index lies is seen when a ray goes there.
+inline bool root_ok(ref_word_t root) {
+  const std::uint64_t kind = root >> LineW;
+  return root == 0 || kind == static_cast<std::uint64_t>(RefNode) || kind == static_cast<std::uint64_t>(RefLeaf);
+}
+
 // job_loader, on what it read.
 inline error_t check_records(const image_header_t& header, const frame_record_t& frame, const job_t& job) {
   if (header.magic != static_cast<std::uint64_t>(ImageMagic) || header.version != static_cast<std::uint64_t>(ImageVersion))
@@ -78,6 +84,7 @@ inline error_t check_records(const image_header_t& header, const frame_record_t&
   if (!section_ok(header.nodes, NodeBytes, header.image_bytes)) return ErrSection;
   if (header.primitives > header.attributes.count) return ErrSection;
   if (header.primitives > static_cast<std::uint64_t>(NoPrim)) return ErrPrimitive;
+  if (!root_ok(header.root)) return ErrNode;
   if (job.is_list) {
     if (job.ray_count * RayBytes > job.ray_bytes) return ErrRayWindow;
     return job.ray_count * HitBytes > job.hits_bytes ? ErrHitWindow : ErrNone;

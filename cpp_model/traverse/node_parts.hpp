@@ -17,6 +17,8 @@ inline part_t node_part(const node_t& node, int child) {
     return std::min(origin + (plane << exp), (coord_t{1} << CoordFieldW) - 1);
   };
   part_t part;
+  // A low plane above the high one: the box holds nothing.
+  if (planes.x0 > planes.x1 || planes.y0 > planes.y1 || planes.z0 > planes.z1) return part;
   part.target.kind = words[child] >> LineW & 3;
   part.target.index = words[child] & ((std::uint64_t{1} << LineW) - 1);
   part.box.low = {.z = at(node.z, planes.z0, node.exp_z), .y = at(node.y, planes.y0, node.exp_y), .x = at(node.x, planes.x0, node.exp_x)};

@@ -8,7 +8,8 @@
 //      behind the frame record and inside image_bytes
 //   6  each primitive has attributes                       ErrSection
 //      there are numbers for all primitives                ErrPrimitive
-//   7  frame record: size, stride, formats, ranges         ErrFrameRecord
+//   7  the root is nothing, a node or a leaf               ErrNode
+//   8  frame record: size, stride, formats, ranges         ErrFrameRecord
 //   13 stride * height <= bytes of the frame buffer        ErrFrameWindow
 //   14 width * height * HitBytes <= bytes of the hit       ErrHitWindow
 //      buffer, if hits are wanted
@@ -92,6 +93,10 @@ module job_loader
                                    finish > 39'(header_q.image_bytes));
   endfunction
 
+  function automatic logic root_bad(logic [31:0] root);
+    return root != '0 && (root[31:$bits(ref_t)] != '0 || !(root[$bits(ref_t)-1 -: 2] inside {RefNode, RefLeaf}));
+  endfunction
+
   function automatic logic record_bad();
     return record_q.width != 16'(job_i.width) || record_q.height != 16'(job_i.height) ||
            record_q.stride % BufferAlign != '0 || record_q.stride < 32'(job_i.width) * PixelBytes ||
@@ -113,7 +118,8 @@ module job_loader
       4'd5: return section_bad(header_q.nodes, NodeBytes) ? ErrSection : ErrNone;
       4'd6: return (header_q.primitives > header_q.attributes.count) ? ErrSection :
                    (header_q.primitives > 32'(NoPrim)) ? ErrPrimitive : ErrNone;
-      4'd7: return record_bad() ? ErrFrameRecord : ErrNone;
+      4'd7: return root_bad(header_q.root) ? ErrNode : ErrNone;
+      4'd8: return record_bad() ? ErrFrameRecord : ErrNone;
       StepRow: return (row_bytes_q > (32 + HeightW)'(job_i.frame_bytes)) ? ErrFrameWindow : ErrNone;
       StepLast: return (job_i.want_hits && 32'(pixels_q) * HitBytes > job_i.hits_bytes) ? ErrHitWindow : ErrNone;
       default: return ErrNone;

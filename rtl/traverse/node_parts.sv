@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A child of a node as a part of the scene: its box on the scene's grid, and its reference.
 //   plane = min(origin + (plane << exp), 2^CoordFieldW - 1)      nothing of a legal scene lies beyond
+// A box with a low plane above its high one holds nothing: its part refers to nothing.
 // bad_o: the node is illegal, or a child that is a node does not lie behind it. Combinational.
 // Model: cpp_model/traverse/node_parts.hpp, equal bit for bit.
 module node_parts
@@ -28,7 +29,9 @@ module node_parts
   endfunction
   child_box_t planes;
   assign planes = box[child_i];
-  assign part_o.target     = ref_t'(word[child_i]);
+  logic       turned;
+  assign turned = planes.x0 > planes.x1 || planes.y0 > planes.y1 || planes.z0 > planes.z1;
+  assign part_o.target     = turned ? '{kind: RefNone, index: '0} : ref_t'(word[child_i]);
   assign part_o.box.low.x  = at(node_i.x, planes.x0, node_i.exp_x);
   assign part_o.box.low.y  = at(node_i.y, planes.y0, node_i.exp_y);
   assign part_o.box.low.z  = at(node_i.z, planes.z0, node_i.exp_z);

@@ -2,6 +2,7 @@
 // What the node test drops: never a box through which the line passes where a hit could be of use,
 // and never one with a primitive that the exact test hits; seldom less than exact arithmetic would.
 // A million boxes each, or as many as the environment's CASTRAY_PAIRS says.
+// Long: CASTRAY_PAIRS=50000000 --gtest_filter=NodeCulls.No*
 #include <gtest/gtest.h>
 
 #include <cstdio>

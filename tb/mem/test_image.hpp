@@ -90,6 +90,12 @@ inline const Defect kRecordDefects[] = {
        t.header.primitives = t.header.attributes.count = NoPrim + 1;
        t.header.image_bytes = t.job.image_bytes = 3584 + (NoPrim + 1) * 64;
      }},
+    {"a root that is a node", ErrNone, [](TestImage& t) { t.header.root = static_cast<ref_word_t>(RefNode) << LineW | 5; }},
+    {"a root that is a leaf", ErrNone, [](TestImage& t) { t.header.root = static_cast<ref_word_t>(RefLeaf) << LineW | 0x3f'ffff; }},
+    {"a root of the chip", ErrNode, [](TestImage& t) { t.header.root = static_cast<ref_word_t>(RefTile) << LineW; }},
+    {"a root that is nothing, with an index", ErrNode, [](TestImage& t) { t.header.root = 0x20'0000; }},
+    {"a root with a bit above", ErrNode, [](TestImage& t) { t.header.root = static_cast<ref_word_t>(RefNode) << LineW | 1 << 24; }},
+    {"a root with the highest bit", ErrNode, [](TestImage& t) { t.header.root = 0x8000'0000; }},
     {"another width", ErrFrameRecord, [](TestImage& t) { t.frame.width = 32; }},
     {"a width with a higher bit", ErrFrameRecord, [](TestImage& t) { t.frame.width |= 0x8000; }},
     {"another height", ErrFrameRecord, [](TestImage& t) { t.frame.height = 18; }},

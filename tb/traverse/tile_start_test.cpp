@@ -218,6 +218,29 @@ TEST_F(TileStartUnit, DirectTilesPassAndStartAtTheRoot) {
   EXPECT_TRUE(dut->idle_o);
 }
 
+// Boxes with a low plane above the high one hold nothing, and move no grid.
+TEST_F(TileStartUnit, TurnedBoxesHoldNothing) {
+  std::mt19937 rng(9);
+  for (int round = 0; round < 12; ++round) {
+    World world("teapot", 64, 48);
+    std::uint64_t turned = 0;
+    for (std::uint64_t i = 0; i < world.image.header.nodes.count; ++i) {
+      node_t node = load_node(world.image.bytes.data(), world.image.header, i);
+      for (child_box_t* const box : {&node.box0, &node.box1, &node.box2, &node.box3}) {
+        if (rng() % 8 != 0) continue;
+        plane_t* const pairs[][2] = {{&box->x0, &box->x1}, {&box->y0, &box->y1}, {&box->z0, &box->z1}};
+        auto& [low, high] = pairs[rng() % 3];
+        std::swap(*low, *high);
+        turned += *low > *high;
+      }
+      store_record(&world.image.bytes[world.image.header.nodes.offset + i * NodeBytes], node);
+    }
+    ASSERT_GT(turned, 100u);
+    run(world, {});
+  }
+  EXPECT_GT(starts[TileOne] + starts[TileTwo], 50);
+}
+
 // Each illegal node that is met ends it with ErrNode.
 TEST_F(TileStartUnit, AnIllegalNodeIsAFault) {
   const std::function<void(node_t&)> spoils[] = {
