@@ -48,7 +48,7 @@ LONG_TESTS := $(shell grep -l '^// Long: ' $(TESTS))
 long-run: $(LONG_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)
 	@python3 tools/long_runs.py -j $(JOBS) --page docs/long.md $(LONG_TESTS)
 
-bench: ## full frames, ladder, sweeps, timings: build/bench.json and docs/bench.md (some 20 minutes)
+bench: ## full frames, ladder, sweeps, timings: build/bench.json and docs/bench.md (some 40 minutes)
 	@tools/setup.sh
 	@$(MAKE) --no-print-directory bench-run
 

@@ -63,7 +63,7 @@ TEST(SpoiltImages, EndEveryJobOfTheCoreAndTheNextOneIsGood) {
     if (expected.rendering.error == ErrNone) {
       EXPECT_TRUE(equal(rtl, expected.rendering));
     } else {
-      EXPECT_TRUE(expected.errors >> rtl.error & 1) << sim::error_text(rtl.error) << "; the model: " << sim::error_text(expected.rendering.error);
+      EXPECT_TRUE(expected.errors >> rtl.error & 1) << meaning(rtl.error) << "; the model: " << meaning(expected.rendering.error);
     }
     EXPECT_TRUE(core.device.memory().idle());
     core.driver.load(image_to_spoil(seed));
@@ -72,7 +72,7 @@ TEST(SpoiltImages, EndEveryJobOfTheCoreAndTheNextOneIsGood) {
   }
   std::printf("%u images, %u of them end well\n", count, counts.of(ErrNone));
   for (const error_t error : {ErrRegister, ErrImage, ErrParameters, ErrSection, ErrFrameRecord, ErrPrimitive, ErrNode, ErrLeaf, ErrStack, ErrSteps}) {
-    std::printf("  %5u  %s\n", counts.of(error), std::string(sim::error_text(error)).c_str());
+    std::printf("  %5u  %s\n", counts.of(error), meaning(error));
     EXPECT_GE(counts.of(error), count / 1000) << "too few of error " << error;
   }
 }

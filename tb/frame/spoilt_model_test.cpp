@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "core.hpp"
-#include "error_text.hpp"
 #include "frame/guarded_bytes.hpp"
 #include "frame/spoilt_image.hpp"
 
@@ -55,7 +54,7 @@ TEST(SpoiltImages, EndEveryJobOfTheModelInsideItsWindows) {
   }
   std::printf("%u images, %u jobs: %u end well, %u have more than one error\n", count, counts.total(), counts.of(ErrNone), several);
   for (const error_t error : {ErrRegister, ErrImage, ErrParameters, ErrSection, ErrFrameRecord, ErrFrameWindow, ErrPrimitive, ErrNode, ErrLeaf, ErrStack, ErrSteps}) {
-    std::printf("  %5u  %s\n", counts.of(error), std::string(sim::error_text(error)).c_str());
+    std::printf("  %5u  %s\n", counts.of(error), meaning(error));
     EXPECT_GE(counts.of(error), count / 1000) << "too few of error " << error;
   }
 }
