@@ -34,8 +34,9 @@ struct RtlQuery : RtlFacts {
   double cycles_per_second() const { return per_second(answers.cycles()); }
 };
 
-// As run_rtl below: a program that takes one can be shown a core that errs.
+// As run_rtl and query_rtl below: a program that takes them can be shown a core that errs.
 using RunRtl = std::function<RtlRun(const SceneImage&, const RtlOptions&, const RenderOptions&, const Progress&)>;
+using QueryRtl = std::function<RtlQuery(const SceneImage&, std::span<const std::uint8_t>, const RtlOptions&, const QueryOptions&, const Progress&)>;
 
 // Throw DeviceError when the core hangs or is not of this build.
 RtlRun run_rtl(const SceneImage& image, const RtlOptions& device, const RenderOptions& options = {}, const Progress& progress = {});

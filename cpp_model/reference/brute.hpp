@@ -73,7 +73,8 @@ template <class T> class Tracer {
       int any = 0;
       for (std::size_t i = 0; i < kBlock; ++i) {
         const Crossing<T> at = crossing({ax[i], ay[i], az[i]}, {bx[i], by[i], bz[i]}, {cx[i], cy[i], cz[i]}, d);
-        t[i] = at.inside() & (at.t > 0) ? at.t : kFar;
+        const bool hit = at.inside() & (at.t > 0);
+        t[i] = hit ? at.t : kFar;
         any |= t[i] < nearest;
       }
       if (!any) continue;

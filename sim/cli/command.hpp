@@ -30,7 +30,8 @@ struct InputError : std::runtime_error {
 // What the commands are given, and what they leave.
 struct Context {
   std::string program;  // as it was called
-  sim::RunRtl run_rtl;  // renders on the simulated core
+  sim::RunRtl run_rtl;      // renders on the simulated core
+  sim::QueryRtl query_rtl;  // answers lists on it
   int code = kOk;
 };
 
@@ -39,8 +40,9 @@ void add_render(CLI::App& app, Context& context);
 void add_ray(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
+void add_query(CLI::App& app, Context& context);
 
 // All of them; never throws.
-int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl = sim::run_rtl);
+int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl = sim::run_rtl, const sim::QueryRtl& query_rtl = sim::query_rtl);
 
 }  // namespace castray::cli

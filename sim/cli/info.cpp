@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "scene/compile.hpp"
+#include "scene/text.hpp"
 #include "scene/tree_facts.hpp"
 #include "summary.hpp"
 
@@ -28,8 +29,9 @@ void info(const SceneArguments& arguments) {
   std::snprintf(text, sizeof text, "eye %g, %g, %g looking along %g, %g, %g, field of view %g degrees", eye.x, eye.y, eye.z,
                 -back.x, -back.y, -back.z, scene.camera.field_of_view);
   line("camera", text);
-  std::snprintf(text, sizeof text, "2^%d = %g scene units a step", static_cast<int>(image.header.grid_power), image.step());
-  line("grid", text);
+  std::snprintf(text, sizeof text, "2^%d = %g scene units a step, from ", static_cast<int>(image.header.grid_power), image.step());
+  const auto corner = [&](std::int64_t steps) { return text_of(static_cast<double>(steps) * image.step()); };
+  line("grid", text + corner(image.header.corner_x) + ", " + corner(image.header.corner_y) + ", " + corner(image.header.corner_z));
   line("image", grouped(image.bytes.size()) + " bytes: " + grouped(image.header.lines.count) + " lines of primitives, " +
                     grouped(image.header.attributes.count) + " attributes");
   const TreeFacts tree = tree_facts(image);

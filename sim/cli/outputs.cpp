@@ -4,6 +4,8 @@
 #include <map>
 
 #include "command.hpp"
+#include "picture.hpp"
+#include "scene/files.hpp"
 #include "scene/replacement.hpp"
 
 namespace castray::cli {
@@ -19,9 +21,10 @@ bool is_stream(const fs::path& file) {
 
 }  // namespace
 
-void check_outputs(const std::vector<Output>& outputs, const Scene& scene) {
+void check_outputs(const std::vector<Output>& outputs, const Scene& scene, const std::vector<Input>& inputs) {
   std::map<fs::path, std::string> taken{{place_of(scene.file), "the scene's file"}};
   for (const MeshSource& mesh : scene.meshes) taken.emplace(place_of(mesh.file), "a mesh of the scene");
+  for (const Input& input : inputs) taken.emplace(place_of(input.file), input.what);
   for (const Output& output : outputs) {
     if (output.file.empty() || is_stream(output.file)) continue;
     const auto [other, is_new] = taken.emplace(place_of(output.file), "the file of " + output.option);
@@ -29,6 +32,14 @@ void check_outputs(const std::vector<Output>& outputs, const Scene& scene) {
   }
   for (const Output& output : outputs)
     if (!output.file.empty()) output.check(output.file);
+}
+
+void write_output(const fs::path& file, const std::string& bytes) {
+  try {
+    write_file(file, bytes);
+  } catch (const SceneError& e) {
+    throw sim::PictureError(e.what());
+  }
 }
 
 }  // namespace castray::cli

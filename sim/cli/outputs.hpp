@@ -15,8 +15,17 @@ struct Output {
   void (*check)(const std::filesystem::path&);  // throws when the file cannot be written
 };
 
-// Throws InputError when two options name one file, or one names the scene's file or a mesh of it;
-// then whatever the checks throw.
-void check_outputs(const std::vector<Output>& outputs, const Scene& scene);
+// A file that is read beside the scene: what it is, and where.
+struct Input {
+  std::string what;
+  std::filesystem::path file;
+};
+
+// Throws InputError when two options name one file, or one names the scene's file, a mesh of it or another
+// input; then whatever the checks throw.
+void check_outputs(const std::vector<Output>& outputs, const Scene& scene, const std::vector<Input>& inputs = {});
+
+// Writes a file whole, or leaves none. Throws PictureError.
+void write_output(const std::filesystem::path& file, const std::string& bytes);
 
 }  // namespace castray::cli

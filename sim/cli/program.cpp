@@ -29,8 +29,8 @@ int flushed(int code) {
   return code == kOk ? complain(kBadOutput, "standard output cannot be written") : code;
 }
 
-int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
-  Context context{argc > 0 ? argv[0] : "castray", run_rtl};
+int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim::QueryRtl& query_rtl) {
+  Context context{argc > 0 ? argv[0] : "castray", run_rtl, query_rtl};
   CLI::App app("castray: a ray tracer in hardware, simulated", "castray");
   const std::string version =
       std::to_string(VersionMajor) + "." + std::to_string(VersionMinor) + "." + std::to_string(VersionPatch);
@@ -41,6 +41,7 @@ int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
   add_ray(app, context);
   add_info(app, context);
   add_compare(app, context);
+  add_query(app, context);
   const auto named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
     throw InputError("'" + std::string(argv[1]) + "' is not a command; castray --help lists them");
@@ -56,9 +57,9 @@ int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
 
 }  // namespace
 
-int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl) {
+int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim::QueryRtl& query_rtl) {
   try {
-    return run(argc, argv, run_rtl);
+    return run(argc, argv, run_rtl, query_rtl);
   } catch (const SceneError& e) {
     return complain(kBadInput, e.what());
   } catch (const InputError& e) {

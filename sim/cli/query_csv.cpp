@@ -46,6 +46,7 @@ class Parser {
     header();
     RayText text;
     while (next_line()) {
+      if (text.rays.size() == std::size_t{MaxRays}) fail("more than " + std::to_string(MaxRays) + " rays");
       text.rays.push_back(ray());
       text.lines.push_back(line_);
     }

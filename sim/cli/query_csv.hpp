@@ -2,12 +2,11 @@
 // Rays and answers of castray query as text: comma-separated values, the columns named by the first
 // line. docs/query.md is the reader's version.
 #pragma once
-#include <limits>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "query_answer.hpp"
 #include "scene/list_ray.hpp"
 
 namespace castray::cli {
@@ -19,15 +18,6 @@ struct RayText {
 
 // Throws InputError "name:line: cause" on the first line that is not a ray of a scene of so many primitives.
 RayText parse_rays(const std::string& name, std::string_view text, std::size_t primitives);
-
-// What a ray met, in scene units; what is not known stays empty.
-struct Answer {
-  bool hit = false;
-  std::optional<std::uint32_t> prim;
-  std::optional<double> distance;  // from the origin
-  std::optional<double> t;         // grid steps along the ray's dominant axis, as in the hit record
-  std::optional<double> u, v;      // weights of corners 0 and 1
-};
 
 // One line for each, below one with the columns' names. Numbers read back as the same double.
 std::string text_of(const std::vector<Answer>& answers);

@@ -14,7 +14,6 @@
 #include "reference/float32.hpp"
 #include "reference_check.hpp"
 #include "report.hpp"
-#include "scene/files.hpp"
 #include "scene/load.hpp"
 #include "summary.hpp"
 
@@ -117,10 +116,10 @@ class Render {
     const bool hits = args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty();
     ProgressBar bar("rendering");
     const sim::RtlRun run = context_.run_rtl(image_, device, options(hits), progress(bar));
-    report_.update(report_of(run, device));
+    report_.update(report_of(run, run.rendering.counters, device));
     std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, run.device.c_str());
-    print_work(run.rendering, run.seconds);
-    print_run(run);
+    print_work(run.rendering.counters, run.seconds);
+    print_run(run, run.rendering.counters);
     if (run.violations > 0) code = kBusRules;
     return run.rendering;
   }
@@ -130,10 +129,10 @@ class Render {
     const auto start = std::chrono::steady_clock::now();
     const sim::Rendering rendering = sim::run_model(image_, options(true), progress(bar));
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    report_.update(report_of(rendering));
+    report_.update(report_of(rendering.counters));
     report_["seconds"] = seconds;
     std::printf("%s, %dx%d: bit-accurate model\n", args_.scene.file.c_str(), scene_.width, scene_.height);
-    print_work(rendering, seconds);
+    print_work(rendering.counters, seconds);
     return rendering;
   }
 
@@ -210,11 +209,7 @@ class Render {
   }
 
   void write_raw(const std::string& file, const void* data, std::size_t bytes) const {
-    try {
-      write_file(file, std::string(static_cast<const char*>(data), bytes));
-    } catch (const SceneError& e) {
-      throw sim::PictureError(e.what());
-    }
+    write_output(file, std::string(static_cast<const char*>(data), bytes));
   }
 
   const Arguments& args_;

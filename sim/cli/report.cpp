@@ -2,20 +2,19 @@
 #include "report.hpp"
 
 #include "counter_names.hpp"
-#include "picture.hpp"
-#include "scene/files.hpp"
+#include "outputs.hpp"
 
 namespace castray::cli {
 
 using Json = nlohmann::ordered_json;
 
-Json report_of(const sim::Rendering& rendering) {
+Json report_of(const Counts& counters) {
   Json json;
-  for (const auto& [index, name] : sim::kCounterNames) json[name] = rendering.counters[static_cast<std::size_t>(index)];
+  for (const auto& [index, name] : sim::kCounterNames) json[name] = counters[static_cast<std::size_t>(index)];
   return json;
 }
 
-Json report_of(const sim::RtlRun& run, const sim::RtlOptions& options) {
+Json report_of(const sim::RtlFacts& run, const Counts& counters, const sim::RtlOptions& options) {
   Json json;
   json["lanes"] = options.variant.lanes;
   json["contexts"] = options.variant.contexts;
@@ -25,9 +24,9 @@ Json report_of(const sim::RtlRun& run, const sim::RtlOptions& options) {
   json["memory"] = options.timing.name;
   json["stalls"] = options.stalls == "none" ? Json() : Json(options.stalls);
   json["seed"] = options.seed;
-  json.update(report_of(run.rendering));
+  json.update(report_of(counters));
   json["seconds"] = run.seconds;
-  json["cycles_per_second"] = run.cycles_per_second();
+  json["cycles_per_second"] = run.per_second(counters[CntCycles]);
   json["bus"] = {{"reads", run.bus.reads},           {"read_beats", run.bus.read_beats},
                  {"writes", run.bus.writes},         {"write_beats", run.bus.write_beats},
                  {"bytes_written", run.bus.bytes_written}, {"most_reads", run.bus.most_reads},
@@ -42,11 +41,7 @@ Json report_of(const sim::RtlRun& run, const sim::RtlOptions& options) {
 }
 
 void write_json(const std::filesystem::path& file, const Json& json) {
-  try {
-    write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  } catch (const SceneError& e) {
-    throw sim::PictureError(e.what());
-  }
+  write_output(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace castray::cli

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "summary.hpp"
 
-#include <cstdio>
-
 namespace castray::cli {
 
 std::string grouped(std::uint64_t number) {
@@ -11,45 +9,45 @@ std::string grouped(std::uint64_t number) {
   return text;
 }
 
-void print_work(const sim::Rendering& rendering, double seconds) {
-  const auto count = [&](std::int64_t index) { return grouped(rendering.counters[static_cast<std::size_t>(index)]); };
-  std::printf("  rays %s, hits %s; tests of nodes %s, of primitives %s, of which the exact test accepted %s\n", count(CntRays).c_str(),
-              count(CntHits).c_str(), count(CntNodes).c_str(), count(CntTests).c_str(), count(CntCandidates).c_str());
-  std::printf("  %.2f s\n", seconds);
+void print_work(const Counts& counters, double seconds, std::FILE* out) {
+  const auto count = [&](std::int64_t index) { return grouped(counters[static_cast<std::size_t>(index)]); };
+  std::fprintf(out, "  rays %s, hits %s; tests of nodes %s, of primitives %s, of which the exact test accepted %s\n", count(CntRays).c_str(),
+               count(CntHits).c_str(), count(CntNodes).c_str(), count(CntTests).c_str(), count(CntCandidates).c_str());
+  std::fprintf(out, "  %.2f s\n", seconds);
 }
 
-void print_run(const sim::RtlRun& run) {
-  const auto count = [&](std::int64_t index) { return grouped(run.rendering.counters[static_cast<std::size_t>(index)]); };
+void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out) {
+  const auto count = [&](std::int64_t index) { return grouped(counters[static_cast<std::size_t>(index)]); };
   const auto share = [&](std::int64_t hits, std::int64_t misses) {
-    const auto of = [&](std::int64_t index) { return static_cast<double>(run.rendering.counters[static_cast<std::size_t>(index)]); };
+    const auto of = [&](std::int64_t index) { return static_cast<double>(counters[static_cast<std::size_t>(index)]); };
     return of(hits) + of(misses) > 0 ? 100 * of(hits) / (of(hits) + of(misses)) : 0.0;
   };
-  std::printf("  cycles %s\n", count(CntCycles).c_str());
-  if (run.rendering.counters[CntBatches] > 0)
-    std::printf("  brute force: %s passes, %s cycles waiting for a lane, %s for a primitive\n", count(CntBatches).c_str(),
-                count(CntTestStalls).c_str(), count(CntFetchStalls).c_str());
+  std::fprintf(out, "  cycles %s\n", count(CntCycles).c_str());
+  if (counters[CntBatches] > 0)
+    std::fprintf(out, "  brute force: %s passes, %s cycles waiting for a lane, %s for a primitive\n", count(CntBatches).c_str(),
+                 count(CntTestStalls).c_str(), count(CntFetchStalls).c_str());
   else
-    std::printf("  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%; tiles: %s nodes read to start them, %s filled\n",
-                share(CntNodeHits, CntNodeMisses), share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses),
-                count(CntTileNodes).c_str(), count(CntEmptyTiles).c_str());
-  std::printf("  read beats %s, write beats %s; attributes: %s in the cache, %s fetched\n", count(CntReadBeats).c_str(),
-              count(CntWriteBeats).c_str(), count(CntAttrHits).c_str(), count(CntAttrMisses).c_str());
-  std::printf("  simulated %.3f M cycles a second\n", run.cycles_per_second() / 1e6);
+    std::fprintf(out, "  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%; tiles: %s nodes read to start them, %s filled\n",
+                 share(CntNodeHits, CntNodeMisses), share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses),
+                 count(CntTileNodes).c_str(), count(CntEmptyTiles).c_str());
+  std::fprintf(out, "  read beats %s, write beats %s; attributes: %s in the cache, %s fetched\n", count(CntReadBeats).c_str(),
+               count(CntWriteBeats).c_str(), count(CntAttrHits).c_str(), count(CntAttrMisses).c_str());
+  std::fprintf(out, "  simulated %.3f M cycles a second\n", run.per_second(counters[CntCycles]) / 1e6);
   bool stalled = false;
   for (const sim::StallShare& share : run.shares) stalled |= share.blocked > 0;
   if (stalled) {
-    std::printf("  blocked:");
+    std::fprintf(out, "  blocked:");
     for (unsigned i = 0; i < sim::kChannels; ++i)
-      std::printf(" %s %.0f%% of %s", sim::kChannelNames[i], 100 * run.shares[i].share(), grouped(run.shares[i].wanted).c_str());
-    std::printf(" cycles in which it was wanted\n");
+      std::fprintf(out, " %s %.0f%% of %s", sim::kChannelNames[i], 100 * run.shares[i].share(), grouped(run.shares[i].wanted).c_str());
+    std::fprintf(out, " cycles in which it was wanted\n");
   }
-  print_violations(run);
+  print_violations(run, out);
 }
 
-void print_violations(const sim::RtlRun& run) {
+void print_violations(const sim::RtlFacts& run, std::FILE* out) {
   if (run.violations == 0) return;
-  std::printf("  the core broke rules of its bus %s times:\n", grouped(run.violations).c_str());
-  for (const std::string& message : run.messages) std::printf("    %s\n", message.c_str());
+  std::fprintf(out, "  the core broke rules of its bus %s times:\n", grouped(run.violations).c_str());
+  for (const std::string& message : run.messages) std::fprintf(out, "    %s\n", message.c_str());
 }
 
 void print_comparison(const sim::Comparison& comparison, const sim::Rendering& rendering) {

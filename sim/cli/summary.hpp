@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures of a rendering, for people, on stdout.
+// The figures of a job, for people.
 #pragma once
 #include <cstdint>
+#include <cstdio>
 #include <string>
 
 #include "comparison.hpp"
@@ -13,9 +14,12 @@ namespace castray::cli {
 // 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
 
-void print_run(const sim::RtlRun& run);
-void print_violations(const sim::RtlRun& run);
-void print_work(const sim::Rendering& rendering, double seconds);
+// A job's counters, and how it went on the Verilated core.
+using Counts = decltype(sim::Rendering::counters);
+void print_work(const Counts& counters, double seconds, std::FILE* out = stdout);
+void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out = stdout);
+void print_violations(const sim::RtlFacts& run, std::FILE* out = stdout);
+
 void print_comparison(const sim::Comparison& comparison, const sim::Rendering& rendering);
 void print_reference(const sim::ReferenceCheck& check);
 

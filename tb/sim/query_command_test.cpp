@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// castray query from outside: answers in every form and of every engine, and what is refused.
+#include <nlohmann/json.hpp>
+
+#include "camera/frame_setup.hpp"
+#include "camera/ray_gen.hpp"
+#include "mem/ray_request.hpp"
+#include "query_command.hpp"
+#include "scene/load.hpp"
+
+namespace castray::tb {
+namespace {
+
+const std::string kTeapot = "query scenes/teapot.json scenes/rays.csv ";
+
+// The example of the page, as it stands there.
+TEST_F(QueryCommand, ThePagesExample) {
+  const std::string page = read("docs/query.md"), prompt = "\n$ build/castray ";
+  const std::size_t at = page.find(prompt);
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t command = at + prompt.size(), output = page.find('\n', command) + 1, end = page.find("```", output);
+  const Outcome outcome = run(page.substr(command, output - 1 - command));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, page.substr(output, end - output));
+}
+
+TEST_F(QueryCommand, EnginesAgree) {
+  const auto model = table(run(kTeapot + "--engine model").out);
+  ASSERT_EQ(model.size(), 8u);
+  for (const auto& [engine, rounding] : {std::pair{"float64", 1e-6}, {"float32", 1e-4}}) {
+    const auto reference = table(run(kTeapot + "--engine " + engine).out);
+    ASSERT_EQ(reference.size(), model.size());
+    for (std::size_t i = 0; i < model.size(); ++i) {
+      EXPECT_EQ(reference[i][0], model[i][0]) << i;
+      EXPECT_EQ(reference[i][1], model[i][1]) << i;
+      EXPECT_EQ(reference[i][3], "") << "t is the record's";
+      for (const std::size_t column : {2, 4, 5})
+        if (!model[i][column].empty()) EXPECT_NEAR(std::stod(reference[i][column]), std::stod(model[i][column]), 10 * rounding) << i << " " << column;
+        else EXPECT_EQ(reference[i][column], "") << i << " " << column;
+    }
+  }
+  EXPECT_EQ(run(kTeapot + "--engine model --mode brute").out, run(kTeapot + "--engine model").out);
+}
+
+TEST_F(QueryCommand, FilesAndStreamsGiveTheSameBytes) {
+  const Outcome direct = run(kTeapot + "--engine model");
+  EXPECT_EQ(direct.code, 0) << direct.err;
+  EXPECT_NE(direct.err.find("rays 8, hits 6"), std::string::npos) << "figures go to standard error: " << direct.err;
+  const Outcome filed = run(kTeapot + "--engine model -o " + path("a.csv"));
+  EXPECT_EQ(read(path("a.csv")), direct.out);
+  EXPECT_NE(filed.out.find("rays 8, hits 6"), std::string::npos) << filed.out;
+  EXPECT_EQ(filed.err, "");
+  EXPECT_EQ(with_input("scenes/rays.csv", "query scenes/teapot.json - --engine model").out, direct.out);
+}
+
+// The answer's distance and primitive as the next ray's tmin and ignore.
+TEST_F(QueryCommand, AnAnswerIsTheNextRaysLimit) {
+  const std::string start = kColumns.substr(0, kColumns.size() - 1) + ",tmin,ignore\n", ray = "0.3,0.2,5,0,0,-1,";
+  const auto first = table(run(kCube + file("a.csv", start + ray + ",\n") + " --engine model").out).at(0);
+  ASSERT_EQ(first[0], "1");
+  const auto behind = table(run(kCube + file("b.csv", start + ray + first[2] + ",\n" + ray + "," + first[1] + "\n") + " --engine model").out);
+  for (const auto& row : behind) {
+    EXPECT_EQ(row[0], "1");
+    EXPECT_NE(row[1], first[1]);
+    EXPECT_NEAR(std::stod(row[2]), std::stod(first[2]) + 2, 1e-6) << "the cube's far side";
+  }
+}
+
+TEST_F(QueryCommand, OneRayOnTheGridOfAll) {
+  const auto all = table(run(kTeapot + "--engine model").out);
+  for (const std::size_t i : {0, 4, 7})
+    EXPECT_EQ(table(run(kTeapot + "--engine model --only " + std::to_string(i)).out), (std::vector<std::vector<std::string>>{all[i]}));
+  EXPECT_EQ(table(run(kTeapot + "--engine float64 --only 2").out).size(), 1u);
+  expect_refused(kTeapot + "--engine model --only 8", 2, {"--only 8", "8 rays"});
+  expect_refused(kTeapot + "--engine model --only -1", 2, {"--only"});
+}
+
+TEST_F(QueryCommand, AFramesRaysAsRecordsGiveItsHits) {
+  const SceneImage image = compile(load_scene("scenes/spheres.json", FrameSize{24, 16}), 24, 16);
+  const camera_t camera = frame_setup(image.frame);
+  std::vector<ray_record_t> rays;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 24; ++x) rays.push_back(ray_record(camera.eye, ray_gen(camera, x, y)));
+  const std::vector<std::uint8_t> bytes = sim::bytes_of(rays);
+  const std::string name = file("rays.bin", std::string(bytes.begin(), bytes.end()));
+  const std::string scene = "scenes/spheres.json --size 24x16 --engine model ";
+  ASSERT_EQ(run("render " + scene + "-o " + path("a.png") + " --hits " + path("a.hits")).code, 0);
+  const Outcome filed = run("query " + scene + name + " --raw -o " + path("b.hits"));
+  ASSERT_EQ(filed.code, 0) << filed.err;
+  EXPECT_EQ(read(path("b.hits")), read(path("a.hits")));
+  EXPECT_EQ(with_input(name, "query " + scene + "- --raw").out, read(path("a.hits")));
+}
+
+TEST_F(QueryCommand, Reports) {
+  const Outcome outcome = run(kTeapot + "--engine model --mode bvh -o " + path("a.csv") + " --json " + path("a.json"));
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(read(path("a.json")));
+  EXPECT_EQ(report["scene"], "teapot");
+  EXPECT_EQ(report["engine"], "model");
+  EXPECT_EQ(report["mode"], "bvh_root") << "a ray of a list has no tile";
+  EXPECT_EQ(report["rays"], 8);
+  EXPECT_EQ(report["hits"], 6);
+  EXPECT_EQ(report["grid_power"], -22);
+  EXPECT_GT(report["nodes"], 8);
+  EXPECT_GE(report["seconds"], 0);
+  ASSERT_EQ(run(kTeapot + "--engine float64 -o " + path("b.csv") + " --json " + path("b.json")).code, 0);
+  EXPECT_EQ(nlohmann::json::parse(read(path("b.json")))["hits"], 6);
+}
+
+TEST_F(QueryCommand, BadRays) {
+  const std::string out = " --engine model -o " + path("out.csv") + " --json " + path("out.json");
+  const auto refused = [&](const std::string& text, const std::string& cause) {
+    const std::string name = file("bad.csv", text);
+    expect_refused(kCube + name + out, 2, {name + ":" + cause});
+  };
+  refused("", "1: empty");
+  refused(kColumns, "1: no rays");
+  refused(kColumns + "0,0,5,0,0,-1\n0,0,5,0,0\n", "3: 5 fields");
+  refused(kColumns + "0,0,5,0,0,nan\n", "2: dz: 'nan'");
+  refused(kColumns + "0,0,5,0,0,0\n", "2: the direction is zero");
+  refused(kColumns + "0,0,1e20,0,0,1\n", "2: oz: 1e+20 is outside the number range");
+  refused(kColumns + "0,0,5,0,0,1\n0,1e15,0,0,0,1\n0,0,6,0,0,1\n", "3: the origin lies too far from the scene");
+  refused("ox,oy,oz,dx,dy,dz,ignore\n0,0,5,0,0,1,12\n", "2: ignore: '12'");
+  refused("ox,oy,oz,dx,dy,dz,tmin,tmax\n0,0,5,0,0,1,2,1\n", "2: empty range");
+  expect_refused(kCube + path("none.csv") + out, 2, {path("none.csv"), "no such file"});
+  expect_refused(kCube + path("") + out, 2, {path(""), "folder"});
+  const Outcome piped = with_input(file("bad.csv", kColumns + "1\n"), kCube + "-" + out);
+  EXPECT_EQ(piped.code, 2);
+  EXPECT_EQ(piped.err, "castray: standard input:2: 1 field, the first line names 6 columns\n");
+}
+
+TEST_F(QueryCommand, BadRecords) {
+  const std::string out = " --raw --engine model -o " + path("out.bin");
+  expect_refused(kCube + file("bad.bin", "") + out, 2, {path("bad.bin") + ": empty"});
+  for (const std::size_t size : {1, 63, 65, 100})
+    expect_refused(kCube + file("bad.bin", std::string(size, '\0')) + out, 2, {path("bad.bin"), std::to_string(size) + " byte", "64"});
+  std::string flags(128, '\0');
+  flags[64 + 12] = 4;
+  expect_refused(kCube + file("bad.bin", flags) + out, 2, {path("bad.bin") + ": record 1: flags of 4"});
+  // Zero directions and origins outside the grid are misses.
+  std::string misses(128, '\0');
+  misses[64 + 3] = '\x40';
+  const Outcome outcome = run(kCube + file("misses.bin", misses) + out);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("rays 2, hits 0"), std::string::npos) << outcome.out;
+}
+
+TEST_F(QueryCommand, BadOptions) {
+  const std::string rays = file("rays.csv", kColumns + "0,0,5,0,0,-1\n");
+  expect_refused(kCube + rays + " --engine gpu", 2, {"engine", "gpu"});
+  expect_refused(kCube + rays + " --engine model --check", 2, {"--check"});
+  expect_refused(kCube + rays + " --engine float64 --raw", 2, {"--raw"});
+  expect_refused(kCube + rays + " --trace " + path("t.fst"), 2, {"--trace", "--only"});
+  expect_refused(kCube + rays + " --engine model --only 0 --trace " + path("t.fst"), 2, {"--trace", "rtl"});
+  expect_refused("query scenes/cube.json", 2, {"rays"});
+  expect_refused("query scenes/none.json " + rays, 2, {"scenes/none.json", "no such file"});
+  expect_refused(kCube + rays + " --engine model -o " + rays, 2, {"--output", "rays"});
+  expect_refused(kCube + rays + " --engine model -o " + path("a") + " --json " + path("a"), 2, {"--json", "--output"});
+  expect_refused(kCube + rays + " --engine model -o scenes/cube.json", 2, {"--output", "scene"});
+  expect_refused(kCube + rays + " --engine model -o " + path("none/a.csv"), 6, {path("none/a.csv")});
+  expect_refused(kCube + rays + " --engine model --json " + path("none/a.json"), 6, {path("none/a.json")});
+}
+
+TEST_F(QueryCommand, WhatStoodUnderTheNameStaysWhereTheRaysAreBad) {
+  const std::string out = file("out.csv", "before\n");
+  expect_refused(kCube + file("bad.csv", kColumns + "x\n") + " --engine model -o " + out, 2, {"bad.csv:2"});
+  EXPECT_EQ(read(out), "before\n");
+}
+
+TEST_F(QueryCommand, StandardOutputIsFull) {
+  std::fflush(stdout);
+  const int kept = dup(STDOUT_FILENO), full = open("/dev/full", O_WRONLY);
+  dup2(full, STDOUT_FILENO);
+  testing::internal::CaptureStderr();
+  const int code = execute(kTeapot + "--engine model");
+  const std::string err = testing::internal::GetCapturedStderr();
+  dup2(kept, STDOUT_FILENO);
+  close(kept);
+  close(full);
+  std::clearerr(stdout);
+  EXPECT_EQ(code, 6);
+  EXPECT_NE(err.find("standard output"), std::string::npos) << err;
+}
+
+}  // namespace
+}  // namespace castray::tb
