@@ -5,6 +5,7 @@ rtl/pkg/castray_pkg.sv
 rtl/pkg/castray_image_pkg.sv
 rtl/pkg/castray_reg_pkg.sv
 rtl/prim/credit.sv
+rtl/prim/free_list.sv
 rtl/prim/pair_fifo.sv
 rtl/prim/pipe_chain.sv
 rtl/prim/pipe_cut.sv

@@ -178,7 +178,7 @@ module castray_core
   // ---- Camera ----
   logic         tile_valid, tile_ready, none_in_setup, exhausted, ray_valid, ray_ready, miss_valid, miss_ready;
   logic         back_valid, back_ready, deal_valid, store_valid, store_second, tile_node, tile_hit, tile_miss;
-  logic [7:0]   back_slot, store_slot;
+  logic [7:0]   back_slot, store_slot, tile_slot;
   tile_t        tile;
   ray_t         ray;
   pixel_tag_t   miss;
@@ -207,7 +207,7 @@ module castray_core
     .start_i(walk_start), .job_i(job), .camera_i(camera), .root_i(root),
     .nodes_i(tree.node_base), .node_count_i(tree.node_count), .fault_o(source_fault),
     .walk_done_o(walk_done), .none_in_setup_o(none_in_setup), .exhausted_o(exhausted),
-    .tile_valid_o(tile_valid), .tile_ready_i(tile_ready), .tile_o(tile),
+    .tile_valid_o(tile_valid), .tile_ready_i(tile_ready), .tile_o(tile), .tile_slot_i(tile_slot),
     .out_valid_o(ray_valid), .out_ready_i(ray_ready), .out_o(ray),
     .miss_valid_o(miss_valid), .miss_ready_i(miss_ready), .miss_o(miss),
     .fill_valid_o(back_valid), .fill_ready_i(back_ready), .fill_slot_o(back_slot),
@@ -252,7 +252,7 @@ module castray_core
     .clk_i, .rst_ni(datapath_rst_n),
     .job_i(job), .record_i(record), .eye_i(camera.eye),
     .attributes_i(job.image + addr_t'(header.attributes.offset)),
-    .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile),
+    .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile), .tile_slot_o(tile_slot),
     .fill_valid_i(back_valid), .fill_ready_o(back_ready), .fill_slot_i(back_slot),
     .in_valid_i(hit_valid), .in_ready_o(hit_ready), .in_i(hit),
     .read_valid_o(read_valid[ReadAttribute]), .read_ready_i(read_ready[ReadAttribute]),

@@ -36,6 +36,7 @@ module ray_source
   output logic             tile_valid_o,
   input  logic             tile_ready_i,
   output tile_t            tile_o,
+  input  logic [7:0]       tile_slot_i,
 
   output logic             out_valid_o,
   input  logic             out_ready_i,
@@ -73,16 +74,16 @@ module ray_source
   // ---- Tiles ----
   logic       walked, walk_valid, walk_ready, started_valid, started_ready, pixels_valid, pixels_ready;
   logic       pixels_idle, tile_miss, corner_valid, corner_ready, corner_ray_valid, corner_ray_ready;
-  logic       started_idle;
+  logic       started_idle, dealt_idle;
   tile_t      walk;
   started_t   started;
   pixel_tag_t corner;
   ray_t       ray;
 
-  tile_walk #(.TileLog2(TileLog2), .Slots(Slots)) u_tile_walk (
+  tile_walk #(.TileLog2(TileLog2)) u_tile_walk (
     .clk_i, .rst_ni,
     .start_i, .job_i, .done_o(walked),
-    .tile_valid_o, .tile_ready_i, .tile_o,
+    .tile_valid_o, .tile_ready_i, .tile_o, .tile_slot_i,
     .out_valid_o(walk_valid), .out_ready_i(walk_ready), .out_o(walk)
   );
 
@@ -101,27 +102,25 @@ module ray_source
 
   tile_deal #(.Lanes(Lanes), .TileLog2(TileLog2)) u_tile_deal (
     .clk_i, .rst_ni, .direct_i(job_i.brute), .each_miss_i(job_i.want_hits),
-    .in_valid_i(started_valid), .in_ready_o(started_ready), .in_i(started),
-    .pixels_valid_o(pixels_valid), .pixels_ready_i(pixels_ready), .miss_o(tile_miss),
-    .fill_valid_o, .fill_ready_i,
+    .in_valid_i(started_valid), .in_ready_o(started_ready), .in_i(started), .idle_o(dealt_idle),
+    .pixels_valid_o(pixels_valid), .pixels_ready_i(pixels_ready), .miss_o(tile_miss), .out_o(deal_o),
+    .fill_valid_o, .fill_ready_i, .fill_slot_o,
     .deal_valid_o, .deal_lane_o, .left_i
   );
-  assign deal_o      = started;
-  assign fill_slot_o = started.tile.slot;
 
   // ---- Pixels ----
   logic       px_valid, px_ready, px_miss, ray_px_valid, ray_px_ready;
   pixel_tag_t px;
   tile_pixels u_tile_pixels (
     .clk_i, .rst_ni,
-    .in_valid_i(pixels_valid), .in_ready_o(pixels_ready), .in_i(started.tile), .miss_i(tile_miss),
+    .in_valid_i(pixels_valid), .in_ready_o(pixels_ready), .in_i(deal_o.tile), .miss_i(tile_miss),
     .out_valid_o(px_valid), .out_ready_i(px_ready), .out_o(px), .miss_o(px_miss), .idle_o(pixels_idle)
   );
   assign miss_valid_o = px_valid && px_miss;
   assign miss_o       = px;
   assign ray_px_valid = px_valid && !px_miss;
   assign px_ready     = px_miss ? miss_ready_i : ray_px_ready;
-  assign walk_done_o  = walked && started_idle && pixels_idle;
+  assign walk_done_o  = walked && started_idle && dealt_idle && pixels_idle;
 
   // ---- Rays: of corners first; which they are waits beside the pipes ----
   logic       camera_valid, camera_ready, dir_valid, dir_ready, ray_valid, ray_ready, is_corner;

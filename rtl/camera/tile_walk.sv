@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks over a window in tiles: asks the gather for a place for each tile, and when that is granted
-// gives the tile out.
+// Walks over a window in tiles: asks the gather for a slot for each tile, and when that is granted
+// gives the tile out with it.
 //   Tiles are cut by the frame's grid of 2^TileLog2 pixels and clipped to the window.
 //   Rows: left to right, top to bottom. Z order: column and row of a tile, counted from the
 //   window's first, are the even and the odd bits of a code that counts up; codes outside the
 //   window are skipped, a whole aligned block at a time (code + its lowest one), so that two
 //   tiles are at most 20 skips apart: each skip's lowest one is above the last one's.
-//   Slots: 0 to Slots-1 in turn.
 // A tile every two cycles (in rows).
 // done_o: a level, from after the last tile was taken until the next start.
 // An empty window is done at once. Model: cpp_model/camera/tile_walk.hpp, same order.
@@ -14,8 +13,7 @@ module tile_walk
   import castray_cfg_pkg::*;
   import castray_pkg::*;
 #(
-  parameter int unsigned TileLog2 = DefaultTileLog2,
-  parameter int unsigned Slots    = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)
+  parameter int unsigned TileLog2 = DefaultTileLog2
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,
@@ -26,7 +24,8 @@ module tile_walk
 
   output logic       tile_valid_o,
   input  logic       tile_ready_i,
-  output tile_t      tile_o,
+  output tile_t      tile_o,       // its slot is zero
+  input  logic [7:0] tile_slot_i,  // and this where it is granted
 
   output logic       out_valid_o,
   input  logic       out_ready_i,
@@ -34,9 +33,6 @@ module tile_walk
 );
   if (TileLog2 < 2 || TileLog2 > 4) begin : g_tile
     $error("tile_walk: TileLog2 must be 2, 3 or 4");
-  end
-  if (Slots < 1 || Slots > 256) begin : g_slots
-    $error("tile_walk: Slots must be 1 to 256");
   end
 
   localparam int unsigned Size = 1 << TileLog2;
@@ -85,7 +81,6 @@ module tile_walk
   // ---- The tile offered to the gather ----
   tile_t      tile_q;
   logic       tile_valid_q;
-  logic [7:0] slot_q;
   logic       granted;
 
   function automatic pixel_t first_of(idx_t index, extent_t low);
@@ -99,10 +94,10 @@ module tile_walk
     limit = start + extent_t'(Size);
     return 5'(((limit < high) ? limit : high) - ((start > low) ? start : low));
   endfunction
-  function automatic tile_t tile_at(idx_t tile_col, idx_t tile_row, job_t job, logic [7:0] slot);
+  function automatic tile_t tile_at(idx_t tile_col, idx_t tile_row, job_t job);
     return '{
       x: first_of(tile_col, job.x0), width: size_of(tile_col, job.x0, job.x1),
-      y: first_of(tile_row, job.y0), height: size_of(tile_row, job.y0, job.y1), slot: slot
+      y: first_of(tile_row, job.y0), height: size_of(tile_row, job.y0, job.y1), slot: '0
     };
   endfunction
 
@@ -121,25 +116,26 @@ module tile_walk
   end
   always_ff @(posedge clk_i) begin
     if (start_i) begin
-      at_q   <= '0;
-      slot_q <= '0;
+      at_q <= '0;
     end else if (step) begin
       at_q <= at_d;
-      if (in_window) begin
-        tile_q <= tile_at(first_col + col, first_row + row, job_i, slot_q);
-        slot_q <= (slot_q == 8'(Slots - 1)) ? '0 : slot_q + 1'b1;
-      end
+      if (in_window) tile_q <= tile_at(first_col + col, first_row + row, job_i);
     end
   end
 
   // ---- The granted tile waits to be taken ----
+  tile_t granted_tile;
+  always_comb begin
+    granted_tile      = tile_q;
+    granted_tile.slot = tile_slot_i;
+  end
   logic unused_ready;  // only an empty place is offered a tile
   assign tile_valid_o = tile_valid_q && !out_valid_o;
   assign tile_o       = tile_q;
   assign granted      = tile_valid_o && tile_ready_i;
   pipe_stage #(.data_t(tile_t)) u_wait (
     .clk_i, .rst_ni(rst_ni && !start_i),
-    .valid_i(granted), .ready_o(unused_ready), .data_i(tile_q),
+    .valid_i(granted), .ready_o(unused_ready), .data_i(granted_tile),
     .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o)
   );
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gathers the pixels of each tile, of many tiles at once and in any order, and writes the tile's
 // rows to the frame buffer when all are there: see tile_rows.
-//   request  a tile takes its slot, below Slots, as soon as that is free
+//   request  a tile takes a slot, below Slots, as soon as one is free
 //   pixels   always taken, one a cycle, each to its place in the slot's part of the memory: four
 //            banks, so that four pixels are read at once. A slot's count says when it is complete
 //   fill     a tile of one colour is complete without a pixel
@@ -24,7 +24,8 @@ module tile_gather
 
   input  logic        tile_valid_i,
   output logic        tile_ready_o,
-  input  tile_t       tile_i,
+  input  tile_t       tile_i,        // its slot is not looked at
+  output logic [7:0]  tile_slot_o,   // but given to it here
 
   input  logic        in_valid_i,
   output logic        in_ready_o,
@@ -59,13 +60,17 @@ module tile_gather
   count_t           size_q [Slots];
   slot_t            asked, freed;
   logic             request, free;
-  assign asked        = slot_t'(tile_i.slot);
-  assign tile_ready_o = !busy_q[asked];
+  assign tile_slot_o  = 8'(asked);
+  free_list #(.N(Slots)) u_slots (
+    .clk_i, .rst_ni,
+    .valid_o(tile_ready_o), .number_o(asked), .take_i(request), .give_i(free), .number_i(freed)
+  );
   assign request      = tile_valid_i && tile_ready_o;
   assign idle_o       = busy_q == '0;
   always_ff @(posedge clk_i) begin
     if (request) begin
-      tile_q[asked] <= tile_i;
+      tile_q[asked]      <= tile_i;
+      tile_q[asked].slot <= tile_slot_o;
       size_q[asked] <= count_t'(tile_i.width) * count_t'(tile_i.height);
     end
   end
@@ -151,8 +156,8 @@ module tile_gather
       assert (queue_ready) else $error("more complete tiles than slots");
     end
     if (rst_ni && request) begin
-      assert (32'(tile_i.slot) < Slots && tile_i.width != '0 && tile_i.height != '0)
-      else $error("an empty tile, or a slot out of range");
+      assert (!busy_q[asked] && tile_i.width != '0 && tile_i.height != '0)
+      else $error("an empty tile, or a slot in use");
     end
   end
 `endif

@@ -88,11 +88,13 @@ package castray_cfg_pkg;
     return (tile_log2 < 3) ? 64 : 1 << (2 * tile_log2);
   endfunction
 
-  // Tiles in flight: those whose rays are in the lanes and before them, and some to start ahead and
-  // to write behind.
+  // Tiles in flight: those whose rays are in the lanes and before them, and some to start ahead, to be
+  // dealt, and to write behind.
   localparam int unsigned StartTiles = 8;   // whose start is sought at once: a power of two
-  localparam int unsigned SpareSlots = StartTiles + 6;
+  localparam int unsigned DealTiles  = 8;   // started, waiting for a lane
+  localparam int unsigned WriteTiles = 6;
   function automatic int unsigned tile_slots(int unsigned lanes, int unsigned contexts, int unsigned tile_log2);
-    return ((lanes * (contexts + ray_queue(tile_log2)) - 1) >> (2 * tile_log2)) + 1 + lanes + SpareSlots;
+    return ((lanes * (contexts + ray_queue(tile_log2)) - 1) >> (2 * tile_log2)) + 1 + lanes + StartTiles
+           + DealTiles + WriteTiles;
   endfunction
 endpackage

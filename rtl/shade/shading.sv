@@ -2,9 +2,9 @@
 // From hits to the two buffers: a record of each ray to the hit buffer when asked, and a colour,
 // shaded or of the background, to its tile and so to the frame buffer. Instances and wires only.
 //
-//   in -> fork -+-> hit_writer ------------------------------------> hit buffer
-//               +-> found: attr_cache -> shade -+-> tile_gather ---> frame buffer
-//               +-> a miss: background ---------+
+//   in -> fork -+-> hit_writer -------------------------------------------> hit buffer
+//               +-> found: queue -> attr_cache -> shade -+-> tile_gather -> frame buffer
+//               +-> a miss: background ------------------+
 //
 // Only rays of tiles that tile_* has asked for come in, each once. Every input but the streams
 // stands still from the first tile until idle.
@@ -29,6 +29,7 @@ module shading
   input  logic          tile_valid_i,
   output logic          tile_ready_o,
   input  tile_t         tile_i,
+  output logic [7:0]    tile_slot_o,    // that it is given
 
   input  logic          fill_valid_i,   // a tile of background
   output logic          fill_ready_o,
@@ -85,7 +86,9 @@ module shading
   );
 
   // ---- Colours ----
-  logic       found_valid, found_ready, miss_valid, miss_ready, attr_valid, attr_ready;
+  localparam int unsigned WaitingHits = 64;
+  logic       found_valid, found_ready, unlit_valid, unlit_ready, miss_valid, miss_ready, attr_valid, attr_ready;
+  hit_t       unlit;
   logic       lit_valid, lit_ready, back_valid, back_ready, shaded_valid, shaded_ready;
   shade_req_t shade_req;
   paint_t     paint;
@@ -97,9 +100,16 @@ module shading
 
   frame_paint u_frame_paint (.record_i, .paint_o(paint));
 
+  // Hits come in clusters, faster than a shader takes them: here they wait, and not in the lanes.
+  stream_fifo #(.data_t(hit_t), .Depth(WaitingHits)) u_waiting (
+    .clk_i, .rst_ni, .used_o(),
+    .valid_i(found_valid), .ready_o(found_ready), .data_i(hit),
+    .valid_o(unlit_valid), .ready_i(unlit_ready), .data_o(unlit)
+  );
+
   attr_cache #(.Entries(AttrEntries)) u_attr_cache (
     .clk_i, .rst_ni, .base_i(attributes_i),
-    .in_valid_i(found_valid), .in_ready_o(found_ready), .in_i(hit),
+    .in_valid_i(unlit_valid), .in_ready_o(unlit_ready), .in_i(unlit),
     .out_valid_o(attr_valid), .out_ready_i(attr_ready), .out_o(shade_req),
     .req_valid_o(read_valid_o), .req_ready_i(read_ready_i), .req_o(read_o), .rsp_valid_i, .rsp_i,
     .hit_o(attr_hit_o), .miss_o(attr_miss_o)
@@ -132,7 +142,7 @@ module shading
 
   tile_gather #(.TileLog2(TileLog2), .Slots(Slots)) u_tile_gather (
     .clk_i, .rst_ni, .base_i(job_i.frame), .stride_i(record_i.stride),
-    .tile_valid_i, .tile_ready_o, .tile_i,
+    .tile_valid_i, .tile_ready_o, .tile_i, .tile_slot_o,
     .fill_valid_i, .fill_ready_o, .fill_slot_i, .fill_colour_i(background_word),
     .in_valid_i(shaded_valid), .in_ready_o(shaded_ready), .in_i(shaded),
     .out_valid_o(pixel_valid_o), .out_ready_i(pixel_ready_i), .out_o(pixel_o),

@@ -31,26 +31,23 @@ module contexts
     $error("contexts: Contexts must be 1 to %0d", 2 ** CtxW);
   end
   localparam int unsigned QueueDepth = (Contexts > 1) ? Contexts : 2;
+  localparam int unsigned IdxW       = (Contexts > 1) ? $clog2(Contexts) : 1;
 
   // used_q contexts hold rays. Brute force: those before out_q have given their hits.
-  // Hierarchy: those from fresh_q up were never given out, the others are in use or in u_free.
-  logic [CtxW:0] used_q, out_q, fresh_q;
-  logic          last_out, fresh;
+  logic [CtxW:0] used_q, out_q;
+  logic          last_out;
 
   assign used_o   = used_q;
   assign full_o   = used_q == (CtxW+1)'(Contexts);
   assign empty_o  = used_q == '0;
   assign last_out = out_q + 1'b1 == used_q;
-  assign fresh    = fresh_q != (CtxW+1)'(Contexts);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      used_q  <= '0;
-      out_q   <= '0;
-      fresh_q <= '0;
+      used_q <= '0;
+      out_q  <= '0;
     end else if (hierarchy_i) begin
       if (take_i != out_taken_i) used_q <= take_i ? used_q + 1'b1 : used_q - 1'b1;
-      if (take_i && fresh) fresh_q <= fresh_q + 1'b1;
     end else if (take_i) begin
       used_q <= used_q + 1'b1;
     end else if (out_taken_i) begin
@@ -61,20 +58,21 @@ module contexts
 
   // ---- Hierarchy: who is done, and who is free ----
   logic done_valid;
-  ctx_t done_ctx, free_ctx;
+  ctx_t done_ctx;
+  logic [IdxW-1:0] free_ctx;
 
   pair_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_done (
     .clk_i, .rst_ni,
     .valid_i(done_valid_i), .ready_o(), .data_i(done_ctx_i),
     .valid_o(done_valid), .ready_i(hierarchy_i && out_taken_i), .data_o(done_ctx)
   );
-  stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_free (
-    .clk_i, .rst_ni, .used_o(),
-    .valid_i(hierarchy_i && out_taken_i), .ready_o(), .data_i(done_ctx),
-    .valid_o(), .ready_i(take_i && !fresh), .data_o(free_ctx)
+  free_list #(.N(Contexts)) u_free (
+    .clk_i, .rst_ni,
+    .valid_o(), .number_o(free_ctx), .take_i(hierarchy_i && take_i),
+    .give_i(hierarchy_i && out_taken_i), .number_i(IdxW'(done_ctx))
   );
 
-  assign free_ctx_o  = !hierarchy_i ? CtxW'(used_q) : fresh ? CtxW'(fresh_q) : free_ctx;
+  assign free_ctx_o  = hierarchy_i ? CtxW'(free_ctx) : CtxW'(used_q);
   assign out_valid_o = hierarchy_i ? done_valid : !empty_o;
   assign out_ctx_o   = hierarchy_i ? done_ctx : CtxW'(out_q);
 endmodule

@@ -102,12 +102,18 @@ module prim_tests
     .out_ctx_i, .out_found_o, .out_o
   );
 
-  // ---- Tests of each ray. One write a cycle, here and in nearest: a ray starts where there is none ----
-  tests_t tests_q [Contexts];
-  assign start_ready_o = !result_valid && !test_valid_i;
-  assign out_tests_o   = tests_q[out_ctx_i];
+  // ---- Tests of each ray ----
+  tests_t              tests_q [Contexts];
+  logic [Contexts-1:0] none_q;      // not tested yet
+  logic [IdxW-1:0]     test_ctx;
+  assign test_ctx      = IdxW'(test_ctx_i);
+  assign start_ready_o = !result_valid;
+  assign out_tests_o   = none_q[out_ctx_i] ? '0 : tests_q[out_ctx_i];
   always_ff @(posedge clk_i) begin
-    if (start_i) tests_q[start_ctx_i] <= '0;
-    else if (test_valid_i) tests_q[IdxW'(test_ctx_i)] <= tests_q[IdxW'(test_ctx_i)] + 1'b1;
+    if (start_i) none_q[start_ctx_i] <= 1'b1;
+    if (test_valid_i) begin
+      none_q[test_ctx]  <= 1'b0;
+      tests_q[test_ctx] <= (none_q[test_ctx] ? '0 : tests_q[test_ctx]) + 1'b1;
+    end
   end
 endmodule

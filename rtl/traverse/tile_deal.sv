@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Deals tiles out to the lanes, all rays of a tile to one lane, so that they share what its caches
-// hold: to the next lane in turn whose queue has room for a whole tile. A lane's room is counted here:
+// hold. DealTiles tiles wait here, so that those whose start is sought quickly make up for others:
+//   in -+-> queue -> the next lane in turn whose queue of rays has run low
+//       +-> TileEmpty: filled with background as a whole, ahead of those that wait
+// A tile's rays take as long through the setup as Low rays take a lane; that those that are left do not all
+// fit its queue holds up the setup for a while and nothing else. The rays of each lane are counted here:
 // taken by tiles, given back by rays that leave its queue (left_i).
-//   TileEmpty   to no lane: filled with background as a whole, or with each_miss_i pixel by pixel
-//   direct_i    to no lane in particular, and all start at the root
-// What is dealt is told once, in the cycle in which the tile is taken: deal_*.
-// Combinational; one tile a cycle.
+//   each_miss_i  an empty tile gives its pixels, to no lane
+//   direct_i     tiles go to no lane in particular, and all start at the root
+// What is dealt is told once, in the cycle in which the tile leaves: deal_*.
+// One tile a cycle; latency 1.
 module tile_deal
   import castray_cfg_pkg::*;
   import castray_pkg::*;
@@ -22,21 +26,38 @@ module tile_deal
   input  logic             in_valid_i,
   output logic             in_ready_o,
   input  started_t         in_i,
+  output logic             idle_o,         // no tile waits
 
   output logic             pixels_valid_o,
   input  logic             pixels_ready_i,
-  output logic             miss_o,       // its pixels meet nothing
+  output logic             miss_o,         // its pixels meet nothing
+  output started_t         out_o,
 
   output logic             fill_valid_o,
   input  logic             fill_ready_i,
+  output logic [7:0]       fill_slot_o,
 
-  output logic             deal_valid_o,
+  output logic             deal_valid_o,   // out_o goes to a lane
   output lane_no_t         deal_lane_o,
 
   input  logic [Lanes-1:0] left_i
 );
-  localparam int unsigned Depth = ray_queue(TileLog2);
-  localparam int unsigned CntW  = $clog2(Depth + 1);
+  localparam int unsigned Low  = 16;
+  localparam int unsigned CntW = $clog2(Low + (1 << (2 * TileLog2)) + 1);
+
+  // ---- Empty tiles, and those that wait ----
+  logic     fill, queue_ready, queue_valid, leave;
+  started_t tile;
+  assign fill         = in_i.start == TileEmpty && !direct_i && !each_miss_i;
+  assign fill_valid_o = in_valid_i && fill;
+  assign fill_slot_o  = in_i.tile.slot;
+  assign in_ready_o   = fill ? fill_ready_i : queue_ready;
+  assign idle_o       = !queue_valid;
+  stream_fifo #(.data_t(started_t), .Depth(DealTiles)) u_queue (
+    .clk_i, .rst_ni, .used_o(),
+    .valid_i(in_valid_i && !fill), .ready_o(queue_ready), .data_i(in_i),
+    .valid_o(queue_valid), .ready_i(leave), .data_o(tile)
+  );
 
   // ---- Room ----
   logic [CntW-1:0]  held_q [Lanes];
@@ -44,9 +65,9 @@ module tile_deal
   lane_no_t         next_q, lane;
   logic             any, empty, deal;
   logic [CntW-1:0]  rays;
-  assign rays = CntW'(in_i.tile.width) * CntW'(in_i.tile.height);
+  assign rays = CntW'(tile.tile.width) * CntW'(tile.tile.height);
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
-    assign room[i]   = held_q[i] <= CntW'(Depth - (1 << (2 * TileLog2)));
+    assign room[i]   = held_q[i] <= CntW'(Low);
     assign chosen[i] = lane == lane_no_t'(i);
     always_ff @(posedge clk_i) begin
       if (!rst_ni) held_q[i] <= '0;
@@ -66,15 +87,14 @@ module tile_deal
   end
 
   // ---- Where the tile goes ----
-  logic to_lane, to_pixels;
-  assign empty     = in_i.start == TileEmpty && !direct_i;
-  assign to_lane   = !empty && !direct_i;
-  assign to_pixels = empty ? each_miss_i : (direct_i || any);
-  assign pixels_valid_o = in_valid_i && to_pixels;
-  assign fill_valid_o   = in_valid_i && empty && !each_miss_i;
+  logic to_lane;
+  assign empty          = tile.start == TileEmpty && !direct_i;
+  assign to_lane        = !empty && !direct_i;
+  assign pixels_valid_o = queue_valid && (!to_lane || any);
+  assign leave          = pixels_valid_o && pixels_ready_i;
   assign miss_o         = empty;
-  assign in_ready_o     = (to_pixels && pixels_ready_i) || (empty && !each_miss_i && fill_ready_i);
-  assign deal           = in_valid_i && in_ready_o && to_lane;
+  assign out_o          = tile;
+  assign deal           = leave && to_lane;
   assign deal_valid_o   = deal;
   assign deal_lane_o    = lane;
   always_ff @(posedge clk_i) begin

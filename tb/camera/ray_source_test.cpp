@@ -32,6 +32,9 @@ class RaySource : public ::testing::TestWithParam<Stalls> {
     camera.width = 64;
     camera.height = 48;
     set_port(dut->camera_i, camera);
+    dut->fill_line_valid_i = dut->req_ready_i = dut->left_i = 0;   // of the hierarchy: it is not followed
+    dut->miss_ready_i = dut->fill_ready_i = 1;
+    dut.reset();
   }
 
   void follow(const job_t& job, Stalls stalls) {
@@ -46,15 +49,18 @@ class RaySource : public ::testing::TestWithParam<Stalls> {
     dut.tick();
     dut->start_i = 0;
     std::size_t granted = 0, came = 0;  // pixels of granted tiles; rays
+    unsigned slot = 0;
     for (long cycle = 0; cycle < 20000 && came < rays.size(); ++cycle) {
       dut->tile_ready_i = gather.open();
       dut->out_ready_i = sink.open();
+      dut->tile_slot_i = static_cast<std::uint8_t>(slot);
       dut.settle();
       ASSERT_FALSE(dut->exhausted_o) << came << " of " << rays.size() << " rays came";
       if (came == granted) ASSERT_TRUE(dut->none_in_setup_o);
       if (dut->tile_valid_o && dut->tile_ready_i) {
         const auto tile = get_port<tile_t>(dut->tile_o);
         granted += tile.width * tile.height;
+        slot = (slot + 1) % kSlots;
       }
       if (dut->out_valid_o) {
         ASSERT_FALSE(dut->none_in_setup_o);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The walk and the pixels of its tiles in the three tile sizes, each with another number of slots: select_i says which.
+// The walk and the pixels of its tiles in the three tile sizes: select_i says which.
 module tile_walk_tb
   import castray_pkg::*;
 (
@@ -14,12 +14,12 @@ module tile_walk_tb
   output logic       tile_valid_o,
   input  logic       tile_ready_i,
   output tile_t      tile_o,
+  input  logic [7:0] tile_slot_i,
 
   output logic       out_valid_o,
   input  logic       out_ready_i,
   output pixel_tag_t out_o
 );
-  localparam int unsigned Slots [3] = '{5, 16, 256};
 
   logic       done [3], tile_valid [3], out_valid [3];
   tile_t      tile [3];
@@ -28,10 +28,10 @@ module tile_walk_tb
   for (genvar i = 0; i < 3; i++) begin : g_size
     logic  walked, in_valid, in_ready, in_idle, unused_miss;
     tile_t in;
-    tile_walk #(.TileLog2(2 + i), .Slots(Slots[i])) u_walk (
+    tile_walk #(.TileLog2(2 + i)) u_walk (
       .clk_i, .rst_ni,
       .start_i(start_i && select_i == 2'(i)), .job_i, .done_o(walked),
-      .tile_valid_o(tile_valid[i]), .tile_ready_i(tile_ready_i && select_i == 2'(i)), .tile_o(tile[i]),
+      .tile_valid_o(tile_valid[i]), .tile_ready_i(tile_ready_i && select_i == 2'(i)), .tile_o(tile[i]), .tile_slot_i,
       .out_valid_o(in_valid), .out_ready_i(in_ready), .out_o(in)
     );
     tile_pixels u_pixels (

@@ -8,7 +8,7 @@
 namespace castray::tb {
 namespace {
 
-constexpr int kSlots[] = {5, 16, 256};  // as in tile_walk_tb.sv, for tiles of 4, 8 and 16
+constexpr int kSlots[] = {5, 16, 256};  // that tiles of 4, 8 and 16 are given in turn
 
 job_t frame(std::uint64_t width, std::uint64_t height, bool z_order) { return window(width, height, 0, 0, width, height, z_order); }
 
@@ -110,6 +110,7 @@ class TileWalk : public ::testing::TestWithParam<Stalls> {
     for (; cycle < limit && !(given == tiles.size() && granted == tiles.size()); ++cycle) {
       dut->tile_ready_i = gather.open();
       dut->out_ready_i = sink.open();
+      if (granted < tiles.size()) dut->tile_slot_i = static_cast<std::uint8_t>(tiles[granted].slot);
       dut.settle();
       ASSERT_FALSE(dut->done_o);
       ASSERT_FALSE(tile_held && !dut->tile_valid_o) << "a request was dropped";
@@ -129,7 +130,9 @@ class TileWalk : public ::testing::TestWithParam<Stalls> {
       }
       if (dut->tile_valid_o) {
         ASSERT_LT(granted, tiles.size());
-        const auto got = get_port<tile_t>(dut->tile_o);
+        auto got = get_port<tile_t>(dut->tile_o);
+        ASSERT_EQ(got.slot, 0u);
+        got.slot = tiles[granted].slot;
         ASSERT_TRUE(got == tiles[granted]) << to_text(got) << " instead of " << to_text(tiles[granted]);
         granted += dut->tile_ready_i;
       }

@@ -14,6 +14,7 @@ module tile_gather_tb
   input  logic        tile_valid_i,
   output logic        tile_ready_o,
   input  tile_t       tile_i,
+  output logic [7:0]  tile_slot_o,
 
   input  logic        in_valid_i,
   output logic        in_ready_o,
@@ -34,12 +35,13 @@ module tile_gather_tb
 
   logic [Units-1:0] idle, tile_ready, in_ready, fill_ready, out_valid;
   write_req_t       out [Units];
+  logic [7:0]       tile_slot [Units];
   for (genvar i = 0; i < Units; i++) begin : g_unit
     logic selected;
     assign selected = select_i == 2'(i);
     tile_gather #(.TileLog2(TileLog2[i]), .Slots(Slots[i])) u_gather (
       .clk_i, .rst_ni, .base_i, .stride_i, .idle_o(idle[i]),
-      .tile_valid_i(tile_valid_i && selected), .tile_ready_o(tile_ready[i]), .tile_i,
+      .tile_valid_i(tile_valid_i && selected), .tile_ready_o(tile_ready[i]), .tile_i, .tile_slot_o(tile_slot[i]),
       .in_valid_i(in_valid_i && selected), .in_ready_o(in_ready[i]), .in_i,
       .fill_valid_i(fill_valid_i && selected), .fill_ready_o(fill_ready[i]), .fill_slot_i, .fill_colour_i,
       .out_valid_o(out_valid[i]), .out_ready_i(out_ready_i && selected), .out_o(out[i])
@@ -47,6 +49,7 @@ module tile_gather_tb
   end
   assign idle_o       = idle[select_i];
   assign tile_ready_o = tile_ready[select_i];
+  assign tile_slot_o  = tile_slot[select_i];
   assign in_ready_o   = in_ready[select_i];
   assign fill_ready_o = fill_ready[select_i];
   assign out_valid_o  = out_valid[select_i];

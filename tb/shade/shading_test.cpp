@@ -105,6 +105,7 @@ class Shading : public testing::TestWithParam<Stalls> {
         ++given;
       }
       if (granted) {
+        tiles[asked].slot = dut->tile_slot_o;
         for_each_pixel(tiles[asked], [&](const pixel_tag_t& tag) {
           hit_t hit = stimulus.hit();
           hit.tag = tag;
