@@ -79,9 +79,9 @@ TEST(LaneTree, StartsAtTilesFrontiers) {
   EXPECT_GT(lane.totals.hits, 50);
 }
 
-// ---- Errors ----
+// ---- Images made for it: errors, and how long things take ----
 
-class LaneErrors : public testing::Test {
+class LaneImages : public testing::Test {
  protected:
   SceneImage image = compile(load_scene("scenes/spheres.json"), 64, 64);
 
@@ -117,7 +117,7 @@ class LaneErrors : public testing::Test {
   }
 };
 
-TEST_F(LaneErrors, AreEachFound) {
+TEST_F(LaneImages, AreEachFound) {
   ASSERT_GE(image.header.nodes.count, 2u);
   const std::uint64_t nodes = image.header.nodes.count, lines = image.header.lines.count;
   put(0, everywhere({word(RefLeaf, lines - 1)}));
@@ -147,7 +147,7 @@ TEST_F(LaneErrors, AreEachFound) {
   expect(ErrPrimitive, "a number that is too high");
 }
 
-TEST_F(LaneErrors, ANodeMoreThanTheLimit) {
+TEST_F(LaneImages, ANodeMoreThanTheLimit) {
   put(1, everywhere({word(RefLeaf, 0)}));
   put(0, everywhere({word(RefNode, 1)}));
   expect(ErrNone, "as many", 2);
@@ -155,7 +155,7 @@ TEST_F(LaneErrors, ANodeMoreThanTheLimit) {
 }
 
 // A chain of nodes that each leave a leaf behind: as many levels as the stack has frames, and one more.
-TEST_F(LaneErrors, ALevelMoreThanTheStack) {
+TEST_F(LaneImages, ALevelMoreThanTheStack) {
   const std::uint64_t first = image.header.nodes.offset;
   image.bytes.resize(first + 64 * NodeBytes);
   image.header.nodes.count = 64;
@@ -166,8 +166,45 @@ TEST_F(LaneErrors, ALevelMoreThanTheStack) {
   }
 }
 
+// What docs/lane.md says of the cycles that a ray takes when all lines are in the caches.
+TEST_F(LaneImages, TakesTheseCycles) {
+  const std::uint64_t first = image.header.nodes.offset;
+  image.bytes.resize(first + 8 * NodeBytes);
+  image.header.nodes.count = 8;
+  store_record(image.bytes.data(), image.header);
+  // A ray through `nodes` nodes, the last of which leads nowhere, or to a leaf.
+  const auto cycles = [&](std::uint64_t nodes, bool leaf) {
+    for (std::uint64_t i = 0; i + 1 < nodes; ++i) put(i, everywhere({word(RefNode, i + 1)}));
+    put(nodes - 1, leaf ? everywhere({word(RefLeaf, 0)}) : node_t{});
+    LaneTree lane(image, {}, 1);
+    lane.expect_hits({through(lane.tree)});
+    const long before = lane.cycles;
+    lane.expect_hits({through(lane.tree)});
+    return lane.cycles - before;
+  };
+  // Primitives of the first leaf: missed, or hit. The ray goes through the middle along z.
+  const auto primitives = [&](bool hit) {
+    const std::uint64_t middle = 1 << (CoordW - 1), off = hit ? 0 : 1 << 20;
+    for (int i = 0; i < 2; ++i) {
+      prim_slot_t slot;
+      slot.kind = KindTriangle, slot.number = static_cast<std::uint64_t>(i);
+      slot.a = {.z = middle, .y = middle - 1000, .x = middle - 1000 + off};
+      slot.b = {.z = middle, .y = middle - 1000, .x = middle + 1000 + off};
+      slot.c = {.z = middle, .y = middle + 1000, .x = middle + off};
+      store_record(&image.bytes[image.header.lines.offset + static_cast<std::uint64_t>(i) * SlotBytes], slot);
+    }
+  };
+  const long one = cycles(1, false);
+  EXPECT_EQ(one, 17) << "in and out, one node";
+  EXPECT_EQ(cycles(5, false) - one, 4 * 13) << "each further node";
+  primitives(false);
+  EXPECT_EQ(cycles(1, true) - one, 19) << "a leaf of two triangles that are missed";
+  primitives(true);
+  EXPECT_EQ(cycles(1, true) - one, 46) << "a leaf of two triangles that are hit";
+}
+
 // Flipped bits in nodes and lines: the same error as the model's, or the same hit.
-TEST_F(LaneErrors, OfDamagedImagesAreTheModels) {
+TEST_F(LaneImages, OfDamagedImagesAreTheModels) {
   const SceneImage good = image;
   std::map<error_t, int> seen;
   std::mt19937 rng(1);
