@@ -27,8 +27,9 @@ $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) --trace-fst --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
 	@cd $(@D) && for step in "$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1" "Vcastray_core__ALL.a=-O3 -march=native"; do \
-	  MAKEFLAGS= make -s -f Vcastray_core.mk -j$(JOBS) $${step%%=*} CXX=$(CXX) USER_CPPFLAGS="-fPIC -fvisibility=hidden" \
-	    OPT_FAST="$${step#*=}" OPT_SLOW="-O0" OPT_GLOBAL="-O1" > /dev/null; done
+	  MAKEFLAGS= make -f Vcastray_core.mk -j$(JOBS) $${step%%=*} CXX=$(CXX) USER_CPPFLAGS="-fPIC -fvisibility=hidden" \
+	    OPT_FAST="$${step#*=}" OPT_SLOW="-O0" OPT_GLOBAL="-O1"; \
+	  done | python3 $(CURDIR)/tools/steps.py --compiled "$$(ls *.cpp | wc -l)" "castray_core $*"
 	@touch $@
 
 # The Verilator library for shared objects.

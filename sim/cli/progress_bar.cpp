@@ -10,6 +10,7 @@ namespace castray::cli {
 namespace {
 constexpr int kWidth = 30;
 constexpr double kBarSeconds = 0.1;
+constexpr double kFirstLineSeconds = 2;
 constexpr double kLineSeconds = 5;
 }  // namespace
 
@@ -23,7 +24,7 @@ void ProgressBar::show(double fraction, std::uint64_t cycles) {
   const auto now = Clock::now();
   const bool last = fraction >= 1;
   const double since = std::chrono::duration<double>(now - last_).count();
-  if (since < (terminal_ ? kBarSeconds : kLineSeconds) && !(last && terminal_)) return;
+  if (since < (terminal_ ? kBarSeconds : shown_ ? kLineSeconds : kFirstLineSeconds) && !(last && terminal_)) return;
   last_ = now;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - start_).count();

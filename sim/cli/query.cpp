@@ -63,7 +63,7 @@ class Query {
     report_ = {{"scene", std::filesystem::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", args_.mode()},
                {"commit", kCommit}, {"rays", count_}};
     const ExitCode code = args_.on_device() ? on_device() : on_reference();
-    if (!args_.json.empty()) write_json(args_.json, report_);
+    if (!args_.json.empty()) write_json(args_.json, report_), wrote(args_.json);
     return code;
   }
 
@@ -216,8 +216,9 @@ class Query {
       return;
     }
     write_output(args_.output, bytes);
-    std::fprintf(people_, "wrote %s\n", args_.output.c_str());
+    wrote(args_.output);
   }
+  void wrote(const std::string& file) const { std::fprintf(people_, "wrote %s\n", file.c_str()); }
 
   const Arguments& args_;
   const Context& context_;

@@ -59,7 +59,7 @@ class Render {
                {"commit", kCommit}, {"width", scene_.width}, {"height", scene_.height},
                {"pixels", static_cast<std::size_t>(scene_.width) * static_cast<std::size_t>(scene_.height)}};
     const ExitCode code = args_.on_device() ? on_device() : on_reference();
-    if (!args_.json.empty()) write_json(args_.json, report_);
+    if (!args_.json.empty()) write_json(args_.json, report_), wrote(args_.json);
     return code;
   }
 
@@ -101,10 +101,10 @@ class Render {
     if (args_.check && !equals_model(rendering)) code = kMismatch;
     if (args_.float64) against_float64(rendering);
     sim::write_picture(output(), sim::picture_of(rendering, scene_.pixel_format), metadata());
-    if (!args_.aov.empty()) sim::write_aov(args_.aov, rendering, image_, metadata());
+    wrote(output());
+    if (!args_.aov.empty()) sim::write_aov(args_.aov, rendering, image_, metadata()), wrote(args_.aov);
     if (!args_.frame.empty()) write_raw(args_.frame, rendering.pixels.data(), rendering.pixels.size() * PixelBytes);
     if (!args_.hits.empty()) write_raw(args_.hits, rendering.hits.data(), rendering.hits.size());
-    std::printf("wrote %s\n", output().c_str());
     return code;
   }
 
@@ -203,14 +203,16 @@ class Render {
     std::printf("%s, %dx%d: %s on this processor\n  hits %s\n  %.2f s\n", args_.scene.file.c_str(), scene_.width, scene_.height,
                 args_.engine.c_str(), grouped(frame.hits).c_str(), seconds);
     sim::write_picture(output(), sim::picture_of(frame), metadata());
-    if (!args_.aov.empty()) sim::write_aov(args_.aov, frame, metadata());
-    std::printf("wrote %s\n", output().c_str());
+    wrote(output());
+    if (!args_.aov.empty()) sim::write_aov(args_.aov, frame, metadata()), wrote(args_.aov);
     return kOk;
   }
 
   void write_raw(const std::string& file, const void* data, std::size_t bytes) const {
     write_output(file, std::string(static_cast<const char*>(data), bytes));
+    wrote(file);
   }
+  void wrote(const fs::path& file) const { std::printf("wrote %s\n", file.c_str()); }
 
   const Arguments& args_;
   const Context& context_;

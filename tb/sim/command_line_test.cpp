@@ -82,6 +82,8 @@ TEST_F(CommandLine, RendersChecksAndReports) {
   EXPECT_EQ(report["stalls"], "uniform");
   EXPECT_EQ(report["seed"], 5);
   EXPECT_GT(report["cycles"], 1000);
+  const std::string wrote = "wrote " + path("a.png") + "\nwrote " + path("a.exr") + "\nwrote " + path("a.frame") + "\nwrote " + path("a.hits") + "\nwrote " + path("a.json") + "\n";
+  EXPECT_TRUE(outcome.out.ends_with(wrote)) << outcome.out;
   EXPECT_EQ(fs::file_size(path("a.hits")), 384u * 32);
   EXPECT_EQ(fs::file_size(path("a.frame")), 384u * 4);
 

@@ -94,6 +94,7 @@ TEST_F(QueryCommand, AFramesRaysAsRecordsGiveItsHits) {
 TEST_F(QueryCommand, Reports) {
   const Outcome outcome = run(kTeapot + "--engine model --mode bvh -o " + path("a.csv") + " --json " + path("a.json"));
   ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.ends_with("wrote " + path("a.csv") + "\nwrote " + path("a.json") + "\n")) << outcome.out;
   const auto report = nlohmann::json::parse(read(path("a.json")));
   EXPECT_EQ(report["scene"], "teapot");
   EXPECT_EQ(report["engine"], "model");
