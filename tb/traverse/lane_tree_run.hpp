@@ -6,7 +6,7 @@
 #include "../scene/ray_maker.hpp"
 #include "Vlane_tree.h"
 #include "line_memory_model.hpp"
-#include "traverse/lane.hpp"
+#include "tree_port.hpp"
 
 namespace castray::tb {
 
@@ -25,8 +25,8 @@ class LaneTree {
   LaneTree(const SceneImage& image, Stalls stalls, unsigned seed, int delay = 20)
       : tree{.image = image.bytes.data(), .header = &image.header, .limit = 1 << 20},
         stalls_(stalls), image_(image), dut_(seed),
-        nodes_([this](line_no_t line) { return line_at(line); }, stalls, seed + 1, delay),
-        leaves_([this](line_no_t line) { return line_at(line); }, stalls, seed + 2, delay),
+        nodes_([this](line_no_t line) { return line_at(image_, line); }, stalls, seed + 1, delay),
+        leaves_([this](line_no_t line) { return line_at(image_, line); }, stalls, seed + 2, delay),
         source_(stalls.source, stalls.burst, seed + 3), sink_(stalls.sink, stalls.burst, seed + 4) {
     dut_->in_valid_i = dut_->tile_write_i = 0;
   }
@@ -116,24 +116,11 @@ class LaneTree {
  private:
   static std::uint64_t key(const pixel_tag_t& tag) { return pack(tag)[0]; }
 
-  line_data_t line_at(line_no_t line) const {
-    line_data_t data{};
-    const std::size_t at = std::size_t{line} * LineBytes;
-    if (at + LineBytes > image_.bytes.size()) ADD_FAILURE() << "line " << line << " lies outside the image";
-    else std::memcpy(data.data(), &image_.bytes[at], LineBytes);
-    return data;
-  }
-  void set_tree() {
-    tree_t t;
-    t.node_base = tree.header->nodes.offset / LineBytes, t.node_count = tree.header->nodes.count;
-    t.leaf_base = tree.header->lines.offset / LineBytes, t.leaf_count = tree.header->lines.count;
-    t.primitives = tree.header->primitives, t.limit = tree.limit;
-    set_port(dut_->tree_i, t);
-  }
+  void set_tree() { set_port(dut_->tree_i, tree_port(tree)); }
   // What memory still owes to a lane that was reset.
   void forget() {
-    nodes_ = LineMemoryModel([this](line_no_t line) { return line_at(line); }, stalls_, 1);
-    leaves_ = LineMemoryModel([this](line_no_t line) { return line_at(line); }, stalls_, 2);
+    nodes_ = LineMemoryModel([this](line_no_t line) { return line_at(image_, line); }, stalls_, 1);
+    leaves_ = LineMemoryModel([this](line_no_t line) { return line_at(image_, line); }, stalls_, 2);
   }
 
   void compare(const LaneRay& ray, const hit_t& hit, const work_t& work) {
