@@ -4,37 +4,23 @@
 //   the farther; nearest hit, equal distances to the lower number.
 //   colour: texture colour x |n . d|, n the normalised interpolated normal (zero: the face's).
 #pragma once
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numbers>
-#include <thread>
 
-#include "reference/crossing.hpp"
+#include "parallel.hpp"
 #include "reference/float64.hpp"
+#include "reference/triangle_list.hpp"
 
 namespace castray::reference {
 
 template <class T> class Tracer {
   using V = Imath::Vec3<T>;
   static constexpr T kFar = std::numeric_limits<T>::infinity();
-  static constexpr std::size_t kBlock = 64;
 
  public:
   Tracer(const Scene& scene, int width, int height)
       : scene_(scene), width_(width), height_(height), right_(scene.camera.right()), up_(scene.camera.up()),
-        back_(scene.camera.back()), tangent_(T(std::tan(scene.camera.field_of_view * std::numbers::pi / 360))) {
-    const std::size_t count = (scene.triangles.size() + kBlock - 1) / kBlock * kBlock;
-    for (auto& axis : data_) axis.resize(count);  // padding: triangles of no area, never hit
-    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-      const auto& [a, b, c] = scene.triangles[i].corner;
-      for (int k = 0; k < 3; ++k) {
-        data_[k][i] = T(a[k] - eye()[k]);
-        data_[3 + k][i] = T(b[k] - a[k]);
-        data_[6 + k][i] = T(c[k] - a[k]);
-      }
-    }
-  }
+        back_(scene.camera.back()), tangent_(T(std::tan(scene.camera.field_of_view * std::numbers::pi / 360))), triangles_(scene, eye()) {}
 
   ReferencePixel pixel(int x, int y) const {
     const T across = (2 * (x + T(0.5)) / width_ - 1) * tangent_ * (T(width_) / height_);
@@ -46,7 +32,10 @@ template <class T> class Tracer {
     if (!(length > 0)) return pixel;
 
     T nearest = kFar;
-    triangles(d, nearest, pixel.prim);
+    triangles_.nearest([&](std::size_t i) {
+      const Crossing<T> at = triangles_.cross(i, V(0), d);
+      return (at.inside() & (at.t > 0)) ? at.t : kFar;
+    }, nearest, pixel.prim);
     for (std::size_t i = 0; i < scene_.spheres.size(); ++i) {
       const T t = sphere(scene_.spheres[i], d);
       if (t < nearest) {
@@ -61,32 +50,6 @@ template <class T> class Tracer {
   }
 
  private:
-  // A block of tests at a time, written so that the compiler makes vectors of them.
-  void triangles(const V& d, T& nearest, int& prim) const {
-    const std::size_t count = data_[0].size();
-    for (std::size_t first = 0; first < count; first += kBlock) {
-      std::array<T, kBlock> t;
-      const auto at_first = [&](int k) { return data_[k].data() + first; };
-      const T *ax = at_first(0), *ay = at_first(1), *az = at_first(2);
-      const T *bx = at_first(3), *by = at_first(4), *bz = at_first(5);
-      const T *cx = at_first(6), *cy = at_first(7), *cz = at_first(8);
-      int any = 0;
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        const Crossing<T> at = crossing({ax[i], ay[i], az[i]}, {bx[i], by[i], bz[i]}, {cx[i], cy[i], cz[i]}, d);
-        const bool hit = at.inside() & (at.t > 0);
-        t[i] = hit ? at.t : kFar;
-        any |= t[i] < nearest;
-      }
-      if (!any) continue;
-      for (std::size_t i = 0; i < kBlock; ++i) {
-        if (t[i] < nearest) {
-          nearest = t[i];
-          prim = static_cast<int>(first + i);
-        }
-      }
-    }
-  }
-
   T sphere(const Sphere& sphere, const V& d) const {
     const Roots<T> at = roots(V(eye() - sphere.centre), T(sphere.radius), d);
     return at.near > 0 ? at.near : at.far > 0 ? at.far : kFar;
@@ -128,7 +91,7 @@ template <class T> class Tracer {
 
   // The weights of corners 0 and 1 where the line d meets triangle i.
   void weights(std::size_t i, const V& d, T& u, T& v) const {
-    const V a(data_[0][i], data_[1][i], data_[2][i]), b(data_[3][i], data_[4][i], data_[5][i]), c(data_[6][i], data_[7][i], data_[8][i]);
+    const V a = triangles_.corner(i), b = triangles_.edge_b(i), c = triangles_.edge_c(i);
     const V p = d.cross(c);
     const T det = b.dot(p);
     const T of_b = -a.dot(p) / det;
@@ -143,7 +106,7 @@ template <class T> class Tracer {
   int width_, height_;
   V right_, up_, back_;
   T tangent_;
-  std::array<std::vector<T>, 9> data_;  // corner 0 from the eye, two edges; by component
+  TriangleList<T> triangles_;  // corners from the eye
 };
 
 template <class T> ReferenceFrame trace(const Scene& scene, int width, int height, int threads, const RowProgress& progress) {
@@ -152,28 +115,21 @@ template <class T> ReferenceFrame trace(const Scene& scene, int width, int heigh
   frame.width = width;
   frame.height = height;
   frame.pixels.resize(std::size_t(width) * std::size_t(height));
-  std::atomic<int> next = 0;
-  std::mutex mutex;
-  int finished = 0;
-  const auto work = [&] {
-    for (int y = next++; y < height; y = next++) {
-      std::size_t hits = 0;
-      for (int x = 0; x < width; ++x) {
-        ReferencePixel& pixel = frame.pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-        pixel = tracer.pixel(x, y);
-        hits += pixel.prim >= 0;
-      }
-      const std::lock_guard lock(mutex);
-      frame.hits += hits;
-      ++finished;
-      if (progress) progress(finished);
-    }
-  };
-  const int wanted = threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  std::vector<std::thread> pool;
-  for (int i = 1; i < std::min(wanted, height); ++i) pool.emplace_back(work);
-  work();
-  for (std::thread& thread : pool) thread.join();
+  parallel(std::size_t(height), threads,
+           [&](std::size_t y) {
+             std::size_t hits = 0;
+             for (int x = 0; x < width; ++x) {
+               ReferencePixel& pixel = frame.pixels[y * std::size_t(width) + std::size_t(x)];
+               pixel = tracer.pixel(x, static_cast<int>(y));
+               hits += pixel.prim >= 0;
+             }
+             return hits;
+           },
+           [&](std::size_t, std::size_t hits, std::size_t finished) {
+             frame.hits += hits;
+             if (progress) progress(static_cast<int>(finished));
+             return true;
+           });
   return frame;
 }
 

@@ -83,7 +83,7 @@ TEST(HitAccuracy, SpherePointWithinItsBoundOfTheSurface) {
   while (tested < 400000) {
     PrimCase p = random_case(rng);
     p.prim.kind = KindSphere;
-    p.prim.b.x = static_cast<std::uint64_t>(rng.in(1, std::int64_t{1} << rng.in(1, 25))) & ((1 << 25) - 1);
+    p.prim.b.x = random_radius(rng);
     cand_t cand;
     if (!ray_prim(p.ray, p.prim, 0, cand)) continue;
     const delta3_t c = corner_delta(p.prim.a, p.ray.org, p.ray.axis);

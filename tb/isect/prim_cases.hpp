@@ -81,6 +81,11 @@ struct PrimCase {
   ctx_t ctx = 0;
 };
 
+// A radius of any size, seldom a large one.
+inline std::uint64_t random_radius(Rng& rng) {
+  return static_cast<std::uint64_t>(rng.in(1, std::int64_t{1} << rng.in(1, CoordW - 1))) & (kHalf - 1);
+}
+
 // A test of which a good share is accepted: primitives gather around the ray's line.
 inline PrimCase random_case(Rng& rng) {
   PrimCase c;

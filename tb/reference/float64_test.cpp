@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "../scene/flat_triangle.hpp"
 #include "scene/camera.hpp"
 #include "scene/load.hpp"
 
@@ -26,14 +27,6 @@ TEST(Float64, TeapotInterior) { expect_hits("teapot_interior", 76800); }
 
 // ---- One pixel at a time: a frame of 1 x 1 looks along -z ----
 
-Triangle triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  Triangle made;
-  made.corner = {a, b, c};
-  made.face = (b - a).cross(c - a).normalized();
-  made.normal = {made.face, made.face, made.face};
-  return made;
-}
-
 struct OnePixel : testing::Test {
   OnePixel() {
     scene.paint.background = {7, 8, 9};
@@ -42,7 +35,7 @@ struct OnePixel : testing::Test {
   }
   ReferencePixel pixel() const { return trace_float64(scene, 1, 1, 0, 0); }
   // In the plane at z, around the axis.
-  void add(double z) { scene.triangles.push_back(triangle({-1, -1, z}, {2, -1, z}, {-1, 2, z})); }
+  void add(double z) { scene.triangles.push_back(tb::flat_triangle({-1, -1, z}, {2, -1, z}, {-1, 2, z})); }
   Scene scene;
 };
 
@@ -55,7 +48,7 @@ TEST_F(OnePixel, Miss) {
 }
 
 TEST_F(OnePixel, DistanceAndWeights) {
-  scene.triangles.push_back(triangle({-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}));
+  scene.triangles.push_back(tb::flat_triangle({-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}));
   const ReferencePixel hit = pixel();
   EXPECT_EQ(hit.prim, 0);
   EXPECT_DOUBLE_EQ(hit.t, 4);
@@ -65,7 +58,7 @@ TEST_F(OnePixel, DistanceAndWeights) {
 }
 
 TEST_F(OnePixel, BothSidesAreHit) {
-  scene.triangles.push_back(triangle({-1, -1, -4}, {-1, 3, -4}, {3, -1, -4}));
+  scene.triangles.push_back(tb::flat_triangle({-1, -1, -4}, {-1, 3, -4}, {3, -1, -4}));
   EXPECT_EQ(pixel().prim, 0);
   EXPECT_EQ(pixel().colour, (Rgb{200, 100, 50}));
 }
@@ -108,13 +101,13 @@ TEST_F(OnePixel, FacingRatioIsRoundedToNearest) {
 }
 
 TEST_F(OnePixel, InterpolatedNormalIsNormalised) {
-  scene.triangles.push_back(triangle({-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}));  // weights 1/2, 1/4, 1/4
+  scene.triangles.push_back(tb::flat_triangle({-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}));  // weights 1/2, 1/4, 1/4
   scene.triangles[0].normal = {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 0, 0)};
   EXPECT_EQ(pixel().colour[0], std::floor(200 * std::sqrt(0.5) + 0.5));
 }
 
 TEST_F(OnePixel, NormalsThatCancelGiveWayToTheFace) {
-  scene.triangles.push_back(triangle({-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}));
+  scene.triangles.push_back(tb::flat_triangle({-1, -1, -4}, {3, -1, -4}, {-1, 3, -4}));
   scene.triangles[0].normal = {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(-1, 0, 0)};
   EXPECT_EQ(pixel().colour, (Rgb{200, 100, 50}));
 }
@@ -160,7 +153,7 @@ TEST_F(OnePixel, SphereTexture) {
 TEST(Rays, GoThroughPixelCentres) {
   Scene scene;
   scene.camera.field_of_view = 90;
-  scene.triangles.push_back(triangle({-1000, -1000, -1}, {1000, -1000, -1}, {0, 2000, -1}));
+  scene.triangles.push_back(tb::flat_triangle({-1000, -1000, -1}, {1000, -1000, -1}, {0, 2000, -1}));
   // At distance 1 the picture is 2 high and 4 wide: pixels of 1/2.
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 8; ++x) {
@@ -171,7 +164,7 @@ TEST(Rays, GoThroughPixelCentres) {
 
 TEST(Rays, FollowTheCamerasMatrix) {
   Scene scene;
-  scene.triangles.push_back(triangle({5, -1, -1}, {5, 2, -1}, {5, -1, 2}));
+  scene.triangles.push_back(tb::flat_triangle({5, -1, -1}, {5, 2, -1}, {5, -1, 2}));
   look_at({1, 0, 0}, {9, 0, 0}, {0, 1, 0}, scene.camera.to_world);
   EXPECT_DOUBLE_EQ(trace_float64(scene, 1, 1, 0, 0).t, 4);
   scene.camera.to_world[2][0] *= 10;  // a longer axis back: the same direction

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "fixed.hpp"
+#include "flat_triangle.hpp"
 #include "scene/camera.hpp"
 #include "scene/frame.hpp"
 #include "scene/grid.hpp"
@@ -13,18 +14,12 @@
 namespace castray {
 namespace {
 
-Triangle triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  Triangle made;
-  made.corner = {a, b, c};
-  made.face = (b - a).cross(c - a).normalized();
-  made.normal = {made.face, made.face, made.face};
-  return made;
-}
+using tb::flat_triangle;
 
 Scene small_scene() {
   Scene scene;
   scene.file = "s";
-  scene.triangles.push_back(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+  scene.triangles.push_back(flat_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
   look_at({0.25, 0.25, 3}, {0.25, 0.25, 0}, {0, 1, 0}, scene.camera.to_world);
   return scene;
 }
@@ -107,7 +102,7 @@ TEST_F(Compile, SectionsFollowEachOtherAligned) {
   Scene scene = small_scene();  // five pairs, far apart: a triangle and the same once more, or a sphere
   for (int i = 1; i < 9; ++i) {
     const Vec3 at(8 * (i / 2), 0, 0);
-    scene.triangles.push_back(triangle(at, at + Vec3(1, 0, 0), at + Vec3(0, 1, 0)));
+    scene.triangles.push_back(flat_triangle(at, at + Vec3(1, 0, 0), at + Vec3(0, 1, 0)));
   }
   scene.spheres.push_back({.centre = {32.5, 0.5, 0}, .radius = 0.5, .material = Material::ColourB});
   const SceneImage image = compile(scene, 33, 17);
@@ -191,7 +186,7 @@ TEST_F(Compile, SpheresBoxCountsForTheGrid) {
 
 TEST_F(Compile, DegenerateOnTheGridLosesItsSlotAndKeepsItsNumber) {
   Scene scene = small_scene();
-  scene.triangles.insert(scene.triangles.begin(), triangle({0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}));
+  scene.triangles.insert(scene.triangles.begin(), flat_triangle({0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}));
   scene.spheres.push_back({.centre = {0, 0, 0}, .radius = 1e-12});
   scene.spheres.push_back({.centre = {0, 0, 0}, .radius = 0.5});
   const SceneImage image = compile(scene, 320, 240);

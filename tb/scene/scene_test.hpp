@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the tests of the host side share.
 #pragma once
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
 
+#include "folder_test.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {
 
-// A folder of its own for each test, removed at the end.
-class SceneTest : public testing::Test {
+class SceneTest : public FolderTest {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("castray_") + info->test_suite_name() + "_" + info->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path put(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return folder_ / name;
@@ -41,8 +30,6 @@ class SceneTest : public testing::Test {
   std::string load_error(const std::string& name, const std::string& text) const {
     return error_of([&] { load_scene(put(name, text)); });
   }
-
-  std::filesystem::path folder_;
 };
 
 // One triangle, in the plain layout.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program run in this process, in a folder of its own.
 #pragma once
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +10,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "folder_test.hpp"
 
 namespace castray::tb {
 
@@ -43,14 +41,8 @@ inline std::vector<std::string> shell_words(const std::string& line) {
   return words;
 }
 
-class CommandLine : public testing::Test {
+class CommandLine : public FolderTest {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string file(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
@@ -86,7 +78,6 @@ class CommandLine : public testing::Test {
   }
 
   static inline const std::string kProgram = "castray";
-  const fs::path folder_ = fs::temp_directory_path() / ("castray_command_line_" + std::to_string(getpid()));
 };
 
 }  // namespace castray::tb

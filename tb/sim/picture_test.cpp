@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "folder_test.hpp"
 #include "frame_run.hpp"
 #include "mem/hit_writer.hpp"
 #include "picture.hpp"
@@ -16,20 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Pictures : public testing::Test {
+class Pictures : public FolderTest {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   std::vector<std::string> names() const {
     std::vector<std::string> list;
     for (const auto& entry : fs::directory_iterator(folder_)) list.push_back(entry.path().filename().string());
     return list;
   }
 
-  const fs::path folder_ = fs::temp_directory_path() / ("castray_pictures_" + std::to_string(getpid()));
   const SceneImage image_ = compile(load_scene("scenes/spheres.json"), 16, 12);
   const sim::Rendering frame_ = sim::run_model(image_);
 };

@@ -26,17 +26,14 @@ class LineFetch : public testing::TestWithParam<Stalls> {
   }
   // One cycle of the memory; the other inputs are set. True if a line came out, of context `ctx`.
   bool cycle(LineMemoryModel& memory) {
-    dut->req_ready_i = memory.request_ready();
-    const line_fill_t* const fill = memory.offered();
-    dut->fill_valid_i = fill != nullptr;
-    if (fill) set_port(dut->fill_i, *fill);
+    memory.drive(dut);
     dut.settle();
     faulted = dut->fault_o != ErrNone;
     if (faulted) EXPECT_EQ(dut->fault_o, ErrNode);
     const bool out = dut->out_valid_o && dut->out_ready_i;
     if (out) ctx = dut->out_ctx_o, got_index = static_cast<int>(dut->out_index_o), std::memcpy(data.data(), &dut->out_data_o[0], sizeof data);
     hits += dut->hit_o, misses += dut->miss_o, waits += dut->wait_o;
-    memory.tick(dut->req_valid_o, get_port<line_req_t>(dut->req_o), fill && dut->fill_ready_o);
+    memory.observe(dut);
     dut.tick();
     dut->visit_valid_i = 0;
     return out;

@@ -41,6 +41,16 @@ class LineMemoryModel {
     }
     ++now_;
   }
+  // The two for a unit whose ports are req_* and fill_*.
+  template <class V> void drive(Dut<V>& dut) {
+    dut->req_ready_i = request_ready();
+    const line_fill_t* const fill = offered();
+    dut->fill_valid_i = fill != nullptr;
+    if (fill) set_port(dut->fill_i, *fill);
+  }
+  template <class V> void observe(Dut<V>& dut) {
+    tick(dut->req_valid_o, get_port<line_req_t>(dut->req_o), dut->fill_valid_i && dut->fill_ready_o);
+  }
   long requests = 0;
 
  private:

@@ -11,6 +11,7 @@
 #include "scene/load.hpp"
 #include "signed_port.hpp"
 #include "traverse/ray_store.hpp"
+#include "tree_port.hpp"
 
 namespace castray::tb {
 namespace {
@@ -50,10 +51,7 @@ class NodeVisits : public testing::TestWithParam<Stalls> {
 
   // One cycle with its memory. The context whose children came, or -1.
   int cycle(LineMemoryModel& memory) {
-    dut->req_ready_i = memory.request_ready();
-    const line_fill_t* const fill = memory.offered();
-    dut->fill_valid_i = fill != nullptr;
-    if (fill) set_port(dut->fill_i, *fill);
+    memory.drive(dut);
     dut.settle();
     const Context& tested = contexts[std::min<int>(dut->ray_ctx_o, kContexts - 1)];
     set_port(dut->ray_i, slab_ray_of(tested.ray));
@@ -63,17 +61,13 @@ class NodeVisits : public testing::TestWithParam<Stalls> {
     fault = static_cast<error_t>(dut->fault_o);
     int came = -1;
     if (dut->out_valid_o) came = dut->out_ctx_o, visits = get_port<visits_t>(dut->out_o);
-    memory.tick(dut->req_valid_o, get_port<line_req_t>(dut->req_o), fill && dut->fill_ready_o);
+    memory.observe(dut);
     dut.tick();
     dut->visit_valid_i = 0;
     return came;
   }
   LineMemoryModel memory_of(const Stalls& stalls) {
-    return {[this](line_no_t line) {
-              line_data_t data;
-              std::memcpy(data.data(), &image.bytes[std::size_t{line} * LineBytes], LineBytes);
-              return data;
-            }, stalls, 5};
+    return {[this](line_no_t line) { return line_at(image, line); }, stalls, 5};
   }
 
   SceneImage image = compile(load_scene("scenes/teapot.json"), 320, 240);
