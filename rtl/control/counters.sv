@@ -26,21 +26,18 @@ module counters
     for (int unsigned i = 0; i < EventBits; i++) ones += sum_t'(events[i]);
   endfunction
 
-  sum_t              step_q  [Counters];
-  logic [CountW-1:0] count_q [Counters];
-
-  for (genvar i = 0; i < Counters; i++) begin : g_step
+  for (genvar i = 0; i < Counters; i++) begin : g_counter
+    sum_t              step_q;
+    logic [CountW-1:0] count_q;
     always_ff @(posedge clk_i) begin
-      if (!rst_ni || clear_i) step_q[i] <= '0;
-      else if (step_q[i] != '0 || events_i[i] != '0) step_q[i] <= ones(events_i[i]);
+      if (!rst_ni || clear_i) begin
+        step_q  <= '0;
+        count_q <= '0;
+      end else if (step_q != '0 || events_i[i] != '0) begin
+        step_q  <= ones(events_i[i]);
+        count_q <= count_q + CountW'(step_q);
+      end
     end
-  end
-
-  for (genvar i = 0; i < Counters; i++) begin : g_count
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni || clear_i) count_q[i] <= '0;
-      else if (step_q[i] != '0) count_q[i] <= count_q[i] + CountW'(step_q[i]);
-    end
-    assign counts_o[i] = 64'(count_q[i]);
+    assign counts_o[i] = 64'(count_q);
   end
 endmodule

@@ -58,12 +58,13 @@ module node_order
   z_t [3:0]    z_q;
   plane_exp_t  ez_q;
   logic        neg_q, neg2_q;
-  logic  [3:0] visited;
-  tick_t [3:0] entered;
-  logic  [3:0] [3:0] ahead;        // [i][j]: child j is visited before child i
-  logic  [3:0] [3:0] place, place_q;   // [k][i]: child i comes in place k
+  logic [3:0] [3:0] place_q;       // [k][i]: child i comes in place k
 
-  always_comb begin
+  // As place_q.
+  function automatic logic [3:0] [3:0] places();
+    logic  [3:0]       visited;
+    tick_t [3:0]       entered;
+    logic  [3:0] [3:0] ahead;      // [i][j]: child j is visited before child i
     for (int unsigned i = 0; i < 4; i++) begin
       visited[i] = exists_i[i] && !none_i[i] && !limits_none_i && low_i[i] <= high_i[i] && low_i[i] <= last_i
                    && high_i[i] >= first_i;
@@ -77,8 +78,8 @@ module node_order
       end
     end
     for (int unsigned k = 0; k < 4; k++)
-      for (int unsigned i = 0; i < 4; i++) place[k][i] = visited[i] && $countones(ahead[i]) == k;
-  end
+      for (int unsigned i = 0; i < 4; i++) places[k][i] = visited[i] && $countones(ahead[i]) == k;
+  endfunction
 
   always_ff @(posedge clk_i) begin
     if (en_i[0]) begin
@@ -87,21 +88,22 @@ module node_order
       neg_q   <= neg_i;
     end
     if (en_i[1]) begin
-      place_q <= place;
+      place_q <= places();
       neg2_q  <= neg_q;
       for (int unsigned i = 0; i < 4; i++) z_q[i] <= plane_q + ticks(neg_q ? high_i[i] : low_i[i], ez_q);
     end
   end
 
   // ---- s3 ----
-  entry_t [3:0] child, entry;
-  always_comb begin
+  function automatic visits_t entries();
+    entry_t [3:0] child, entry;
     for (int unsigned i = 0; i < 4; i++) child[i] = '{least: least(z_q[i], neg2_q), target: target_i[i]};
     entry = '0;
     for (int unsigned k = 0; k < 4; k++)
       for (int unsigned i = 0; i < 4; i++) if (place_q[k][i]) entry[k] = entry[k] | child[i];
-  end
+    return '{e0: entry[0], e1: entry[1], e2: entry[2], e3: entry[3]};
+  endfunction
   always_ff @(posedge clk_i) begin
-    if (en_i[2]) out_o <= '{e0: entry[0], e1: entry[1], e2: entry[2], e3: entry[3]};
+    if (en_i[2]) out_o <= entries();
   end
 endmodule

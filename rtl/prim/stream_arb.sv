@@ -34,7 +34,10 @@ module stream_arb #(
     end
   endfunction
 
-  assign pick = locked_q ? index_q : next_of(valid_i, index_q);
+  always_comb begin
+    pick = index_q;
+    if (!locked_q && valid_i != '0) pick = next_of(valid_i, index_q);
+  end
 
   assign valid_o = |valid_i;
   assign index_o = pick;

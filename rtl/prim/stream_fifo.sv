@@ -43,7 +43,7 @@ module stream_fifo #(
       head_q <= '0;
       tail_q <= '0;
       used_q <= '0;
-    end else begin
+    end else if (push || pop) begin
       if (pop) head_q <= (head_q == Last) ? '0 : head_q + 1'b1;
       if (push) tail_q <= (tail_q == Last) ? '0 : tail_q + 1'b1;
       if (push != pop) used_q <= push ? used_q + 1'b1 : used_q - 1'b1;

@@ -87,9 +87,16 @@ module node_visits
 
   node_t node;
   logic  ordered;
-  assign node    = tile_valid ? tile_node : node_t'(line);
-  assign ordered = tile_valid || (in_order(node.ref0, index) && in_order(node.ref1, index)
-                                  && in_order(node.ref2, index) && in_order(node.ref3, index));
+  always_comb begin   // nothing moves here while there is no node
+    node    = '0;
+    ordered = 1'b1;
+    if (tile_valid) node = tile_node;
+    else if (line_valid) begin
+      node    = node_t'(line);
+      ordered = in_order(node.ref0, index) && in_order(node.ref1, index)
+                && in_order(node.ref2, index) && in_order(node.ref3, index);
+    end
+  end
 
   // ---- Boxes ----
   logic pipe_valid, illegal;

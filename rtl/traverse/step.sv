@@ -73,11 +73,11 @@ module step
 
   // ---- s0 ----
   typedef struct packed {
-    ctx_t    ctx;
-    logic    fresh;      // a new ray
-    visits_t visits;
+    ctx_t ctx;
+    logic fresh;      // a new ray
   } choice_t;
   choice_t s0, s1_q;
+  visits_t visits_q;  // of s1
   logic    s0_valid, s1_valid_q;
 
   assign again_ready   = !node_valid_i;
@@ -86,19 +86,10 @@ module step
   assign s0_valid      = node_valid_i || again_valid || leaf_valid || start_valid_i;
 
   always_comb begin
-    s0 = '{ctx: start_ctx_i, fresh: 1'b0, visits: '{default: NoEntry}};
-    if (node_valid_i) begin
-      s0.ctx    = node_ctx_i;
-      s0.visits = node_i;
-    end else if (again_valid) begin
-      s0.ctx = again_ctx;
-    end else if (leaf_valid) begin
-      s0.ctx = leaf_ctx;
-    end else begin
-      s0.fresh            = 1'b1;
-      s0.visits.e0.target = start_i.first;
-      s0.visits.e1.target = start_i.second;
-    end
+    s0 = '{ctx: start_ctx_i, fresh: 1'b1};
+    if (node_valid_i) s0 = '{ctx: node_ctx_i, fresh: 1'b0};
+    else if (again_valid) s0 = '{ctx: again_ctx, fresh: 1'b0};
+    else if (leaf_valid) s0 = '{ctx: leaf_ctx, fresh: 1'b0};
   end
 
   always_ff @(posedge clk_i) begin
@@ -106,26 +97,32 @@ module step
     else s1_valid_q <= s0_valid;
   end
   always_ff @(posedge clk_i) begin
-    if (s0_valid) s1_q <= s0;
+    if (s0_valid) begin
+      s1_q     <= s0;
+      visits_q <= '{default: NoEntry};
+      if (node_valid_i) visits_q <= node_i;
+      else if (s0.fresh) begin
+        visits_q.e0.target <= start_i.first;
+        visits_q.e1.target <= start_i.second;
+      end
+    end
   end
 
   // ---- s1 ----
   frame_t  top;
-  visits_t visits;
   logic    empty, full, forward, leave, back, last, finish, overflow, is_node, over;
   steps_t  nodes;
   ref_t    target;
 
-  assign visits    = s1_q.visits;
   assign ask_ctx_o = s1_q.ctx;
-  assign forward   = s1_valid_q && visits.e0.target.kind != RefNone;
-  assign leave     = forward && visits.e1.target.kind != RefNone;     // others are left behind
+  assign forward   = s1_valid_q && visits_q.e0.target.kind != RefNone;
+  assign leave     = forward && visits_q.e1.target.kind != RefNone;     // others are left behind
   assign finish    = s1_valid_q && !forward && (empty || stop_i);
   assign again     = s1_valid_q && !forward && !finish && top.e0.least > reach_i;
   assign back      = s1_valid_q && !forward && !finish && !again;
   assign last      = top.e1.target.kind == RefNone;                    // the frame's only entry
   assign overflow  = leave && full;
-  assign target    = forward ? visits.e0.target : top.e0.target;
+  assign target    = forward ? visits_q.e0.target : top.e0.target;
   assign is_node   = (forward || back) && target.kind != RefLeaf;
   assign over      = is_node && nodes >= limit_i;
 
@@ -134,7 +131,7 @@ module step
     .look_i(s0_valid), .look_ctx_i(IdxW'(s0.ctx)), .look_new_i(s0.fresh),
     .top_o(top), .empty_o(empty), .full_o(full),
     .push_i(leave && !full), .replace_i(back && !last), .drop_i(again || (back && last)),
-    .frame_i(leave ? {visits.e3, visits.e2, visits.e1} : {NoEntry, top.e2, top.e1})
+    .frame_i(leave ? {visits_q.e3, visits_q.e2, visits_q.e1} : {NoEntry, top.e2, top.e1})
   );
 
   steps_t nodes_q [Contexts];
