@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // castray query from outside: answers in every form and of every engine, and what is refused.
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "camera/frame_setup.hpp"
 #include "camera/ray_gen.hpp"
@@ -64,6 +65,46 @@ TEST_F(QueryCommand, AnAnswerIsTheNextRaysLimit) {
     EXPECT_NE(row[1], first[1]);
     EXPECT_NEAR(std::stod(row[2]), std::stod(first[2]) + 2, 1e-6) << "the cube's far side";
   }
+}
+
+// Limits, culling, ignored primitives and any hit mixed, from text to text.
+TEST_F(QueryCommand, RandomRaysAgreeWithFloat64) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> place(-3, 3), reach(0, 6);
+  const auto one_in = [&](unsigned n) { return random() % n == 0; };
+  std::ostringstream text;
+  text << "any,tmax,ox,oy,oz,ignore,dx,dy,dz,cull,tmin\n";
+  const std::size_t count = 3000;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double tmin = one_in(3) ? reach(random) : 0;
+    text << one_in(4) << ',';
+    if (one_in(3)) text << tmin + reach(random);
+    for (int k = 0; k < 3; ++k) text << ',' << place(random);
+    text << ',';
+    if (one_in(2)) text << random() % 24;
+    for (int k = 0; k < 3; ++k) text << ',' << place(random);
+    text << ',' << one_in(3) << ',' << tmin << '\n';
+  }
+  const std::string ask = "query scenes/spheres.json " + file("rays.csv", text.str()) + " --engine ";
+  const auto model = table(run(ask + "model").out), brute = table(run(ask + "model --mode brute").out), reference = table(run(ask + "float64").out);
+  ASSERT_EQ(model.size(), count);
+  ASSERT_EQ(reference.size(), count);
+  EXPECT_TRUE(model == brute);
+  std::size_t hits = 0, yes = 0, ties = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    ASSERT_EQ(model[i][0], reference[i][0]) << i;
+    if (model[i][2].empty()) {
+      yes += model[i][0] == "1";
+      continue;
+    }
+    ++hits;
+    const bool same = model[i][1] == reference[i][1];
+    ties += !same;  // the cube stands on the ground
+    EXPECT_NEAR(std::stod(model[i][2]), std::stod(reference[i][2]), same ? 1e-4 : 1e-5) << i;
+  }
+  EXPECT_GT(hits, count / 5);
+  EXPECT_GT(yes, count / 20);
+  EXPECT_LT(ties, hits / 50);
 }
 
 TEST_F(QueryCommand, OneRayOnTheGridOfAll) {
