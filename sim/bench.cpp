@@ -2,6 +2,7 @@
 // `make bench`: full frames, the ladder, sweeps and timings; prints docs/bench.md and writes
 // build/bench.json. Exits with 1 if a bar does not hold.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -26,21 +27,61 @@ const std::vector<std::pair<const char*, const char*>> kViews = {
 const std::vector<std::pair<const char*, const char*>> kMoved = {
     {"teapot_rotated", "rotated"}, {"teapot_flipped", "flipped"}, {"teapot_zoomed", "zoomed"}};
 
+// The scenes that the hierarchy is measured on, at 320x240: file, scene, view.
+const std::vector<Frame> kTreeFrames = {
+    {"teapot", "teapot", "base", 320, 240},         {"teapot_tight", "teapot", "tight", 320, 240},
+    {"teapot_fit", "teapot", "fit", 320, 240},      {"teapot_interior", "teapot", "interior", 320, 240},
+    {"teapot100k", "teapot100k", "base", 320, 240}, {"teapot1m", "teapot1m", "base", 320, 240},
+    {"spheres4k", "spheres4k", "base", 320, 240},   {"field", "field", "base", 320, 240}};
+// A core as the bars of the hierarchy ask for it, without the hit buffer.
+Core tree_core(castray::sim::Mode mode = castray::sim::Mode::kBvh) { return {.hits = false, .mode = mode}; }
+
 // What is timed runs alone, one after the other; it comes first.
 std::vector<Run> timed_runs() {
-  return {
+  std::vector<Run> runs = {
+      {"tree_speed", "simulated speed, hierarchy", [] { return rtl_run(kTreeFrames[0], tree_core()); }},
       {"speed", "simulated speed", [] { return rtl_run({"teapot"}, {}); }},
       {"host", "C++ at 320x240", [] { return host_run({"teapot", "teapot", "base", 320, 240}, 0); }},
       {"host", "C++ at 128x96", [] { return host_run({"teapot", "teapot", "base", 128, 96}, 90); }},
-      {"embree", "Embree, teapot base", [] { return embree_run({"teapot", "teapot", "base", 320, 240}); }},
-      {"embree", "Embree, teapot tight", [] { return embree_run({"teapot_tight", "teapot", "tight", 320, 240}); }},
-      {"embree", "Embree, teapot interior", [] { return embree_run({"teapot_interior", "teapot", "interior", 320, 240}); }},
       {"embree", "Embree, spheres", [] { return embree_run({"spheres", "spheres", "base", 320, 240}); }},
   };
+  for (const Frame& frame : kTreeFrames) {
+    if (frame.view == "base") runs.push_back({"compile", "compile " + frame.scene, [=] { return compile_run(frame); }});
+    runs.push_back({"embree", "Embree, " + frame.scene + " " + frame.view, [=] { return embree_run(frame); }});
+  }
+  return runs;
+}
+
+// Frames in the hierarchy: every scene in both modes and both memories, then lanes, ports and sizes of the second cache, then larger frames.
+std::vector<Run> tree_runs() {
+  using castray::sim::Mode;
+  std::vector<Run> runs;
+  const auto add = [&](const Frame& frame, const Core& core) {
+    runs.push_back({"tree", frame.scene + " " + frame.view + " " + std::to_string(frame.width) + ", " +
+                                castray::sim::kModeNames[static_cast<std::size_t>(core.mode)] + ", " + std::to_string(core.lanes) + " lanes, " +
+                                std::to_string(core.ports) + " ports, L2 " + std::to_string(core.l2_kbytes) + ", " + core.memory,
+                    [=] { return rtl_run(frame, core); }});
+  };
+  for (const Frame& frame : kTreeFrames) {
+    add(frame, tree_core());
+    add(frame, tree_core(Mode::kBvhRoot));
+    Core hp = tree_core();
+    hp.memory = "hp";
+    add(frame, hp);
+  }
+  for (const char* scene : {"teapot", "teapot100k"})
+    for (const auto& [lanes, ports, l2] : {std::array{1, 2, 128}, {2, 2, 128}, {4, 2, 128}, {3, 2, 0}, {3, 1, 128}, {3, 1, 0}}) {
+      Core core = tree_core();
+      core.lanes = lanes, core.ports = ports, core.l2_kbytes = l2;
+      add({scene, scene, "base", 320, 240}, core);
+    }
+  add({"teapot", "teapot", "base", 640, 480}, tree_core());
+  add({"teapot", "teapot", "base", 1920, 1080}, tree_core());
+  return runs;
 }
 
 std::vector<Run> counted_runs() {
-  std::vector<Run> runs;
+  std::vector<Run> runs = tree_runs();
   const auto add = [&](const char* part, std::string name, std::function<Json()> measure) {
     runs.push_back({part, std::move(name), std::move(measure)});
   };
@@ -111,7 +152,7 @@ int main(int argc, char** argv) {
   unsigned workers = std::max(1u, std::thread::hardware_concurrency());
   app.add_option("--json", json, "the records, a list of objects")->capture_default_str();
   app.add_option("--page", page, "the tables as Markdown; printed in any case");
-  app.add_option("--only", parts, "these parts: speed host embree frames ladder tiles transforms stalls reference");
+  app.add_option("--only", parts, "these parts: tree tree_speed compile speed host embree frames ladder tiles transforms stalls reference");
   app.add_option("-j", workers, "runs at a time; what is timed runs alone")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {

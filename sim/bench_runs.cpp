@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_runs.hpp"
 
+#include "bench_scenes.hpp"
+#include "counter_names.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -12,7 +15,7 @@
 #include "reference/float32.hpp"
 #include "reference/float64.hpp"
 #include "reference_check.hpp"
-#include "scene/load.hpp"
+#include "scene/tree_facts.hpp"
 
 namespace castray::bench {
 namespace {
@@ -23,53 +26,71 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Json head(const Frame& frame, const char* engine) {
-  return {{"engine", engine},      {"scene", frame.scene},   {"view", frame.view}, {"mode", "brute"},
+Json head(const Frame& frame, const char* engine, sim::Mode mode) {
+  return {{"engine", engine},      {"scene", frame.scene},   {"view", frame.view}, {"mode", sim::kModeNames[static_cast<std::size_t>(mode)]},
           {"width", frame.width}, {"height", frame.height}, {"pixels", frame.width * frame.height}};
 }
 
-Scene scene_of(const Frame& frame) { return load_scene("scenes/" + frame.file + ".json"); }
+// The counters of a frame, and what follows from them. A ray is a pixel, those of empty tiles too.
+void add_counters(Json& record, const sim::Rendering& rendering, const Core& core) {
+  for (const auto& [index, name] : sim::kCounterNames) record[name] = rendering.counters[static_cast<std::size_t>(index)];
+  const auto count = [&](const char* name) { return record[name].get<double>(); };
+  const double cycles = count("cycles"), rays = double(rendering.pixels.size());
+  record["rays_per_cycle"] = rays / cycles;
+  record["nodes_per_ray"] = count("nodes") / rays;
+  record["tests_per_ray"] = count("tests") / rays;
+  record["read_bytes_per_ray"] = 16 * count("read_beats") / rays;
+  record["write_bytes_per_ray"] = 16 * count("write_beats") / rays;
+  Json& busy = record["utilisation"];   // shares of the cycles
+  busy["node_pipe"] = count("nodes") / cycles / core.lanes;
+  busy["primitive_pipe"] = count("tests") / cycles / core.lanes;
+  busy["divider"] = 2 * count("candidates") / cycles / core.lanes;   // two cycles a triangle
+  busy["tile_start"] = 4 * count("tile_nodes") / cycles;             // four cycles a node
+  busy["shading"] = 2 * count("hits") / cycles;                      // two cycles a hit
+  busy["read_ports"] = count("read_beats") / cycles / core.ports;
+  busy["write_port"] = count("write_beats") / cycles;
+  Json& rates = record["hit_rate"];
+  for (const char* cache : {"node", "leaf", "tile", "l2", "attr"}) {
+    const double hits = count((std::string(cache) + "_hits").c_str()), lookups = hits + count((std::string(cache) + "_misses").c_str());
+    rates[cache] = lookups > 0 ? Json(hits / lookups) : Json();
+  }
+}
 
 }  // namespace
 
 Json rtl_run(const Frame& frame, const Core& core) {
-  const SceneImage image = compile(scene_of(frame), frame.width, frame.height);
+  const auto image = image_of(frame);
   sim::RtlOptions device;
-  device.variant = {core.lanes, core.contexts, core.tile_log2};
-  device.stalls = core.stalls;
+  device.variant = {core.lanes, core.contexts, core.tile_log2, core.ports, core.l2_kbytes};
+  device.timing = sim::AxiTiming::named(core.memory);
   device.timing.reorder = core.stalls != "none";
+  device.stalls = core.stalls;
   sim::RenderOptions options;
   options.hits = core.hits;
-  options.mode = sim::Mode::kBrute;
+  options.mode = core.mode;
   options.z_order = core.z_order;
-  const sim::RtlRun run = sim::run_rtl(image, device, options);
-  const sim::Rendering model = sim::run_model(image, options, {}, 1);
+  const sim::RtlRun run = sim::run_rtl(*image, device, options);
+  options.hits = true;
+  const sim::Rendering model = sim::run_model(*image, options, {}, 1);
   const sim::Comparison comparison = sim::compare(run.rendering, model);
-  const auto counter = [&](std::int64_t index) { return run.rendering.counters[static_cast<std::size_t>(index)]; };
+  const sim::RtlRun hits = core.hits ? run : sim::run_rtl(*image, device, options);
 
-  Json record = head(frame, "rtl");
+  Json record = head(frame, "rtl", core.mode);
   record["lanes"] = core.lanes;
   record["contexts"] = core.contexts;
   record["tile"] = 1 << core.tile_log2;
   record["walk"] = core.z_order ? "z" : "rows";
-  record["ports"] = device.variant.ports;
+  record["ports"] = core.ports;
+  record["l2_kbytes"] = core.l2_kbytes;
   record["memory"] = device.timing.name;
   record["stalls"] = core.stalls == "none" ? Json() : Json(core.stalls);
   record["hit_buffer"] = core.hits;
-  record["cycles"] = counter(CntCycles);
   record["pixels_differ"] = comparison.pixels_differ;
-  record["hits_differ"] = comparison.hits_differ;
-  record["error"] = static_cast<int>(run.rendering.error);
-  record["rules_broken"] = run.violations;
-  record["tests"] = counter(CntTests);
-  record["hits"] = counter(CntHits);
-  record["candidates"] = counter(CntCandidates);
-  record["test_stalls"] = counter(CntTestStalls);
-  record["fetch_stalls"] = counter(CntFetchStalls);
-  record["attr_hits"] = counter(CntAttrHits);
-  record["attr_misses"] = counter(CntAttrMisses);
-  record["read_beats"] = counter(CntReadBeats);
-  record["write_beats"] = counter(CntWriteBeats);
+  record["hits_differ"] = sim::compare(hits.rendering, model).hits_differ;
+  record["error"] = static_cast<int>(std::max(run.rendering.error, hits.rendering.error));
+  record["rules_broken"] = run.violations + hits.violations;
+  add_counters(record, run.rendering, core);
+  record["seconds"] = run.seconds;
   record["cycles_per_second"] = run.cycles_per_second();
   if (core.stalls != "none")
     for (unsigned i = 0; i < sim::kChannels; ++i)
@@ -77,12 +98,26 @@ Json rtl_run(const Frame& frame, const Core& core) {
   return record;
 }
 
+Json compile_run(const Frame& frame) {
+  const auto scene = scene_of(frame);
+  SceneImage image;
+  Json record = head(frame, "host", sim::Mode::kBvh);
+  record["primitives"] = scene->primitives();
+  record["compile_seconds"] = seconds_of([&] { image = compile(*scene, frame.width, frame.height); });
+  record["image_bytes"] = image.bytes.size();
+  const TreeFacts facts = tree_facts(image);
+  record["nodes"] = facts.nodes;
+  record["leaves"] = facts.leaves;
+  record["levels"] = facts.depth;
+  return record;
+}
+
 Json reference_run(const Frame& frame) {
-  const Scene scene = scene_of(frame);
-  const SceneImage image = compile(scene, frame.width, frame.height);
-  const sim::Rendering model = sim::run_model(image);
-  const sim::ReferenceCheck check = sim::check_reference(scene, image, model, trace_float64(scene, frame.width, frame.height));
-  Json record = head(frame, "model");
+  const auto scene = scene_of(frame);
+  const auto image = image_of(frame);
+  const sim::Rendering model = sim::run_model(*image);
+  const sim::ReferenceCheck check = sim::check_reference(*scene, *image, model, trace_float64(*scene, frame.width, frame.height));
+  Json record = head(frame, "model", sim::Mode::kBvh);
   record["hits"] = check.hits;
   record["other_primitive"] = check.other_primitive;
   record["other_cell"] = check.other_cell;
@@ -93,9 +128,9 @@ Json reference_run(const Frame& frame) {
 
 Json embree_run(const Frame& frame) {
   constexpr int kTimes = 5;  // the fastest counts
-  const Scene scene = scene_of(frame);
-  const Embree embree(scene);
-  Json record = head(frame, "embree");
+  const auto scene = scene_of(frame);
+  const Embree embree(*scene);
+  Json record = head(frame, "embree", sim::Mode::kBvh);
   record["threads"] = 1;
   record["build_seconds"] = embree.build_seconds();
   EmbreeFrame seen;
@@ -107,10 +142,10 @@ Json embree_run(const Frame& frame) {
     }
     record["rays_per_second"][std::to_string(packet)] = double(seen.prims.size()) / best;
   }
-  const sim::Rendering model = sim::run_model(compile(scene, frame.width, frame.height));
+  const sim::Rendering model = sim::run_model(*image_of(frame));
   std::vector<int> ours;
   for (std::size_t i = 0; i < seen.prims.size(); ++i) ours.push_back(static_cast<int>(static_cast<std::int32_t>(model.hit(i).prim)));
-  const auto found = disagreements(scene, frame.width, frame.height, ours, seen.prims);
+  const auto found = disagreements(*scene, frame.width, frame.height, ours, seen.prims);
   const auto count = [&](auto&& f) { return std::ranges::count_if(found, f); };
   record["other_primitive"] = found.size();
   record["edges"] = count([](const Disagreement& d) { return d.cause == Cause::Edge; });
@@ -121,10 +156,10 @@ Json embree_run(const Frame& frame) {
 }
 
 Json host_run(const Frame& frame, double field_of_view) {
-  Scene scene = scene_of(frame);
+  Scene scene = *scene_of(frame);
   if (field_of_view > 0) scene.camera.field_of_view = field_of_view;
   const SceneImage image = compile(scene, frame.width, frame.height);
-  Json record = head(frame, "host");
+  Json record = head(frame, "host", sim::Mode::kBrute);
   record["field_of_view"] = scene.camera.field_of_view;
   record["threads"] = 1;
   record["float64_seconds"] = seconds_of([&] { trace_float64(scene, frame.width, frame.height, 1); });

@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "castray_records.hpp"
+#include "driver.hpp"
 
 namespace castray::bench {
 
 using Json = nlohmann::ordered_json;
 
 struct Frame {
-  std::string file;            // scenes/<file>.json
+  std::string file;            // scenes/<file>.json, or the name of a made scene: see bench_scenes.hpp
   std::string scene = "teapot";
   std::string view = "base";
   int width = 80;
@@ -26,10 +26,17 @@ struct Core {
   bool z_order = false;
   bool hits = true;            // the hit buffer is written
   std::string stalls = "none";
+  int ports = DefaultPorts;
+  int l2_kbytes = DefaultL2Kbytes;
+  sim::Mode mode = sim::Mode::kBrute;
+  std::string memory = "reference";
 };
 
-// A frame on the Verilated core, compared with the model in every pixel and every hit record.
+// A frame on the Verilated core, compared with the model in every pixel and every hit record. Without the hit
+// buffer the cycles are those of a frame without, and the records are compared in a second one.
 Json rtl_run(const Frame& frame, const Core& core);
+// The image of a scene: how long its making takes, how large it is.
+Json compile_run(const Frame& frame);
 // A frame of the model against the float64 reference.
 Json reference_run(const Frame& frame);
 // A frame of Embree, one ray at a time and in packets, and where it sees another primitive than the model.

@@ -6,7 +6,7 @@
 default_of   = $(shell sed -n 's/.*unsigned Default$(1) *= \([0-9]*\);.*/\1/p' rtl/pkg/castray_cfg_pkg.sv)
 CORES_RENDER := l$(call default_of,Lanes)c$(call default_of,Contexts)t$(call default_of,TileLog2)p$(call default_of,Ports)m$(call default_of,L2Kbytes)
 CORES_TEST   := l1c32t3p1m0 l2c32t3p1m128 l3c32t3p2m128 l4c32t3p2m128
-CORES_BENCH  := $(CORES_TEST) l1c1t3p2m128 l1c32t3p2m128 l2c32t3p2m128 l8c32t3p2m128 l3c32t2p2m128 l3c32t4p2m128
+CORES_BENCH  := $(CORES_TEST) l1c1t3p2m128 l1c32t3p2m128 l2c32t3p2m128 l8c32t3p2m128 l3c32t2p2m128 l3c32t4p2m128 l3c32t3p2m0 l3c32t3p1m128 l3c32t3p1m0
 cores_files   = $(1:%=$(BUILD)/cores/%.so)
 
 CORE_RTL := $(RTL) sim/stream_probe.sv sim/stream_checks.sv
