@@ -138,8 +138,10 @@ std::vector<Json> run_all(const std::vector<Run>& runs, unsigned workers) {
   return records;
 }
 
-std::vector<Run> only(std::vector<Run> runs, const std::vector<std::string>& parts) {
-  if (!parts.empty()) std::erase_if(runs, [&](const Run& run) { return std::ranges::find(parts, run.part) == parts.end(); });
+std::vector<Run> only(std::vector<Run> runs, const std::vector<std::string>& parts, const std::string& match) {
+  std::erase_if(runs, [&](const Run& run) {
+    return (!parts.empty() && std::ranges::find(parts, run.part) == parts.end()) || run.name.find(match) == std::string::npos;
+  });
   return runs;
 }
 
@@ -147,17 +149,18 @@ std::vector<Run> only(std::vector<Run> runs, const std::vector<std::string>& par
 
 int main(int argc, char** argv) {
   CLI::App app{"Measure castray: full frames, the ladder, sweeps and timings."};
-  std::string json = "build/bench.json", page;
+  std::string json = "build/bench.json", page, match;
   std::vector<std::string> parts;
   unsigned workers = std::max(1u, std::thread::hardware_concurrency());
   app.add_option("--json", json, "the records, a list of objects")->capture_default_str();
   app.add_option("--page", page, "the tables as Markdown; printed in any case");
   app.add_option("--only", parts, "these parts: tree tree_speed compile speed host embree frames ladder tiles transforms stalls reference");
+  app.add_option("--match", match, "runs whose name holds this");
   app.add_option("-j", workers, "runs at a time; what is timed runs alone")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
-    std::vector<Json> records = run_all(only(timed_runs(), parts), 1);
-    for (Json& record : run_all(only(counted_runs(), parts), workers)) records.push_back(std::move(record));
+    std::vector<Json> records = run_all(only(timed_runs(), parts, match), 1);
+    for (Json& record : run_all(only(counted_runs(), parts, match), workers)) records.push_back(std::move(record));
     castray::write_file(json, Json(records).dump(1) + "\n");
     const std::string text = page_of(records);
     if (!page.empty()) castray::write_file(page, text);
