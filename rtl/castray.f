@@ -23,6 +23,7 @@ rtl/math/width_check.sv
 rtl/camera/dominant_axis.sv
 rtl/camera/frame_setup.sv
 rtl/camera/ray_component.sv
+rtl/camera/ray_choice.sv
 rtl/camera/ray_gen.sv
 rtl/camera/ray_setup.sv
 rtl/camera/slab_setup.sv
@@ -50,6 +51,7 @@ rtl/traverse/frame_stack.sv
 rtl/traverse/lane.sv
 rtl/traverse/leaf_tests.sv
 rtl/traverse/line_fetch.sv
+rtl/traverse/list_turn.sv
 rtl/traverse/nearest.sv
 rtl/traverse/node_visits.sv
 rtl/traverse/prim_tests.sv
@@ -87,6 +89,7 @@ rtl/mem/line_tags.sv
 rtl/mem/line_wake.sv
 rtl/mem/prim_reader.sv
 rtl/mem/ray_request.sv
+rtl/mem/ray_reader.sv
 rtl/mem/tile_gather.sv
 rtl/mem/tile_rows.sv
 rtl/camera/ray_source.sv

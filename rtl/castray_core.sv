@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// castray: a scene image in memory, a picture and its hits out. Instances and wires only; the
+// castray: a scene image in memory, a picture and its hits out, or the hits of a list of rays. Instances and wires only; the
 // README's data-flow diagram as code.
 //
 //   job_control - job_loader - frame_setup
-//   ray_source -> traversal -> shading -> frame and hit buffers
+//   ray_reader (a list) -> ray_source -> traversal -> shading -> frame and hit buffers
 //
 // Control: AXI4-Lite, docs/register-map.md. Memory: one AXI4 port of 128 bits.
 // The scene image: docs/scene-image.md. Model: cpp_model/core.cpp, equal bit for bit.
@@ -130,8 +130,6 @@ module castray_core
   logic [WriteClients-1:0] write_valid, write_ready;
   write_req_t              write_req [WriteClients];
   logic                    write_beat;
-  assign read_valid[ReadRay] = 1'b0;
-  assign read_req[ReadRay]   = '0;
 
   axi_ports #(.Ports(Ports)) u_axi_ports (
     .clk_i, .rst_ni,
@@ -175,6 +173,19 @@ module castray_core
     .rsp_valid_i(rsp_valid[ReadJob]), .rsp_i(rsp[ReadJob])
   );
 
+  logic     list_valid, list_ready, list_done;
+  ray_req_t list_ray;
+  error_t   list_fault;
+
+  ray_reader u_ray_reader (
+    .clk_i, .rst_ni(datapath_rst_n),
+    .start_i(walk_start && job.is_list), .base_i(job.rays), .count_i(job.ray_count),
+    .done_o(list_done), .fault_o(list_fault),
+    .req_valid_o(read_valid[ReadRay]), .req_ready_i(read_ready[ReadRay]), .req_o(read_req[ReadRay]),
+    .rsp_valid_i(rsp_valid[ReadRay]), .rsp_i(rsp[ReadRay]),
+    .out_valid_o(list_valid), .out_ready_i(list_ready), .out_o(list_ray)
+  );
+
   // ---- Camera ----
   logic         tile_valid, tile_ready, none_in_setup, exhausted, ray_valid, ray_ready, miss_valid, miss_ready;
   logic         back_valid, back_ready, deal_valid, store_valid, store_second, tile_node, tile_hit, tile_miss;
@@ -204,9 +215,10 @@ module castray_core
 
   ray_source #(.Lanes(Lanes), .TileLog2(TileLog2), .Slots(Slots)) u_ray_source (
     .clk_i, .rst_ni(datapath_rst_n),
-    .start_i(walk_start), .job_i(job), .camera_i(camera), .root_i(root),
+    .start_i(walk_start && !job.is_list), .job_i(job), .camera_i(camera), .root_i(root),
     .nodes_i(tree.node_base), .node_count_i(tree.node_count), .fault_o(source_fault),
     .walk_done_o(walk_done), .none_in_setup_o(none_in_setup), .exhausted_o(exhausted),
+    .list_valid_i(list_valid), .list_ready_o(list_ready), .list_i(list_ray), .list_done_i(list_done),
     .tile_valid_o(tile_valid), .tile_ready_i(tile_ready), .tile_o(tile), .tile_slot_i(tile_slot),
     .out_valid_o(ray_valid), .out_ready_i(ray_ready), .out_o(ray),
     .miss_valid_o(miss_valid), .miss_ready_i(miss_ready), .miss_o(miss),
@@ -228,7 +240,7 @@ module castray_core
 
   traversal #(.Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2), .Slots(Slots)) u_traversal (
     .clk_i, .rst_ni(datapath_rst_n),
-    .brute_i(job.brute), .tree_i(tree), .root_i(root),
+    .is_list_i(job.is_list), .brute_i(job.brute), .tree_i(tree), .root_i(root),
     .lines_i(job.image + addr_t'(header.lines.offset)), .fault_o(lane_fault),
     .exhausted_i(exhausted), .starved_i(tile_valid && !tile_ready && none_in_setup && coloured),
     .idle_o(traversal_idle),
@@ -246,7 +258,7 @@ module castray_core
     .events_o(lane_events), .ray_o(ray_event), .hit_o(hit_event),
     .batch_o(batch_event), .test_stall_o(test_stall), .fetch_stall_o(fetch_stall)
   );
-  assign fault = (source_fault != ErrNone) ? source_fault : lane_fault;
+  assign fault = (list_fault != ErrNone) ? list_fault : (source_fault != ErrNone) ? source_fault : lane_fault;
 
   shading #(.TileLog2(TileLog2), .Slots(Slots), .AttrEntries(AttrEntries)) u_shading (
     .clk_i, .rst_ni(datapath_rst_n),

@@ -84,7 +84,7 @@ void Driver::set_arguments(const RenderOptions& options) {
   set(RegWindowMax, pair(window.x1, window.y1));
 }
 
-void Driver::set_arguments(const QueryOptions& options) {
+void Driver::set_list_arguments(const QueryOptions& options) {
   set_image(options.steps);
   set_pointer(RegRays, rays_.address);
   set(RegRayBytes, static_cast<std::uint32_t>(rays_.bytes));
@@ -111,7 +111,7 @@ void Driver::start(const RenderOptions& options) {
   go();
 }
 
-void Driver::start(std::span<const std::uint8_t> rays, const QueryOptions& options) {
+void Driver::load_rays(std::span<const std::uint8_t> rays) {
   if (rays.empty() || rays.size() % RayBytes != 0 || rays.size() / RayBytes > MaxRays)
     throw std::invalid_argument("a list of rays has 1 to " + std::to_string(MaxRays) + " records of " + std::to_string(RayBytes) + " bytes");
   for (Buffer* buffer : {&rays_, &answers_})
@@ -120,7 +120,11 @@ void Driver::start(std::span<const std::uint8_t> rays, const QueryOptions& optio
   answers_ = device_.allocate(rays.size() / RayBytes * HitBytes);
   device_.write(rays_.address, rays);
   device_.write(answers_.address, std::vector<std::uint8_t>(answers_.bytes, kUntouched));
-  set_arguments(options);
+}
+
+void Driver::start(std::span<const std::uint8_t> rays, const QueryOptions& options) {
+  load_rays(rays);
+  set_list_arguments(options);
   go();
 }
 

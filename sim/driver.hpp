@@ -85,7 +85,9 @@ class Driver {
   // Renders it: start(), wait_interrupt, finish(). Throws DeviceError when the core hangs.
   Rendering render(const RenderOptions& options = {}, const Progress& progress = {});
 
-  // The hits of a list of raw ray_record_t, 1 to MaxRays, in the loaded image. Throws likewise.
+  // Copies a list of rays to the device, raw ray_record_t, 1 to MaxRays, in place of the one before.
+  void load_rays(std::span<const std::uint8_t> rays);
+  // Its hits in the loaded image. Throws likewise.
   Answers query(std::span<const std::uint8_t> rays, const QueryOptions& options = {}, const Progress& progress = {});
 
   // The halves of the two, for whoever does something else meanwhile: start() is prepare() and go().
@@ -99,7 +101,7 @@ class Driver {
   void set_pointer(std::int64_t reg, std::uint64_t address);
   // Sets all arguments of a job on the loaded image, without starting it.
   void set_arguments(const RenderOptions& options);
-  void set_arguments(const QueryOptions& options);   // of the list of the last start
+  void set_list_arguments(const QueryOptions& options);   // on the loaded list
   void go();
 
   Device& device() { return device_; }

@@ -5,6 +5,7 @@
 bind castray_core stream_check #(.data_t(castray_pkg::tile_t)) u_check_tile (.clk_i, .rst_ni(datapath_rst_n), .valid_i(tile_valid), .ready_i(tile_ready), .data_i(tile));
 bind ray_source stream_check #(.data_t(castray_pkg::pixel_tag_t)) u_check_px (.clk_i, .rst_ni, .valid_i(px_valid), .ready_i(px_ready), .data_i(px));
 bind ray_source stream_check #(.data_t(castray_pkg::pixel_dir_t)) u_check_dir (.clk_i, .rst_ni, .valid_i(dir_valid), .ready_i(dir_ready), .data_i(dir));
+bind castray_core stream_check #(.data_t(castray_pkg::ray_req_t)) u_check_list (.clk_i, .rst_ni(datapath_rst_n), .valid_i(list_valid), .ready_i(list_ready), .data_i(list_ray));
 bind castray_core stream_check #(.data_t(castray_pkg::ray_t)) u_check_ray (.clk_i, .rst_ni(datapath_rst_n), .valid_i(ray_valid), .ready_i(ray_ready), .data_i(ray));
 bind traversal stream_check #(.data_t(castray_pkg::prim_slot_t)) u_check_slot (.clk_i, .rst_ni, .valid_i(slot_valid), .ready_i(slot_ready), .data_i(slot));
 bind shading stream_check #(.data_t(castray_image_pkg::shade_req_t)) u_check_shade (.clk_i, .rst_ni, .valid_i(attr_valid), .ready_i(attr_ready), .data_i(shade_req));

@@ -2,8 +2,8 @@
 // The memory of the core: Ports AXI4 ports of 128 bits. Reads: on every port an axi_reader, whose
 // clients are those of the read arbiter that live there and one that fetches lines for the caches.
 // Writes: one axi_writer, on port 0; the others never write. Instances and wires only.
-//   port 0        all clients but the attributes, lines, writes
-//   the last one  attributes, lines
+//   port 0        all clients but those of the last one, lines, writes
+//   the last one  attributes, rays of a list, lines
 module axi_ports
   import castray_cfg_pkg::*;
   import castray_pkg::*;
@@ -79,7 +79,7 @@ module axi_ports
 
   // A client's port.
   function automatic int unsigned port_of(int unsigned client);
-    return (client == ReadAttribute) ? Ports - 1 : 0;
+    return (client == ReadAttribute || client == ReadRay) ? Ports - 1 : 0;
   endfunction
 
   // ---- Reads: the clients of the arbiter by number, then lines ----

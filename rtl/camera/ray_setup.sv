@@ -1,55 +1,75 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a direction to the ray that it defines, once and for all: the line org + z (sx, sy, 1) on
+// From a request to the ray that it defines, once and for all: the line org + z (sx, sy, 1) on
 // axes permuted so that the dominant one comes last.
 //   dominant_axis   axis, neg, num0, num1, den             ShearDivW bits
 //   div_pipe (two)  q = round(num / den)                   ShearFrac bits, halves up
 //   s0              |S| = min(q, 1 - 2^-ShearFrac); sx, sy with their signs
 //   s1-s3           sx^2, sy^2                             exact
 //   s4              norm2 = round(1 + sx^2 + sy^2)         NormFrac bits, halves up
-// rx, ry are left zero: slab_setup's.
-// A zero direction: valid 0, sx = sy = 0, norm2 = 1, axis 0, neg 0.
+// rx, ry are left zero: slab_setup's. What the divisions do not need waits in a queue beside them.
+// A zero direction: valid 0, sx = sy = 0, norm2 = 1, axis 0, neg 0. A request not ok: valid 0.
 // One ray a cycle, in order; 4 + (ShearFrac + 3) + 5 stages. Four multipliers of 27x18.
 // Model: cpp_model/camera/ray_setup.hpp, equal bit for bit.
 module ray_setup
   import castray_cfg_pkg::*;
   import castray_pkg::*;
 (
-  input  logic       clk_i,
-  input  logic       rst_ni,
+  input  logic     clk_i,
+  input  logic     rst_ni,
 
-  input  camera_t    camera_i,    // held while rays are under way
+  input  logic     in_valid_i,
+  output logic     in_ready_o,
+  input  ray_req_t in_i,
 
-  input  logic       in_valid_i,
-  output logic       in_ready_o,
-  input  pixel_dir_t in_i,
-
-  output logic       out_valid_o,
-  input  logic       out_ready_i,
-  output ray_t       out_o
+  output logic     out_valid_o,
+  input  logic     out_ready_i,
+  output ray_t     out_o
 );
   // What travels beside the divisions.
   typedef struct packed {
-    pixel_tag_t tag;
-    axis_t      axis;
-    logic       neg;
-    logic       minus0;
-    logic       minus1;
-    logic       valid;
+    axis_t axis;
+    logic  neg;
+    logic  minus0;
+    logic  minus1;
+    logic  valid;
   } side_t;
+  localparam int unsigned KeptRays = 64;   // more than there are stages
   typedef logic [ShearFrac:0]     quotient_t;
   typedef logic [2*ShearFrac+1:0] square_t;
 
+  // ---- What the divisions do not need ----
+  typedef struct packed {
+    pixel_tag_t tag;
+    point_t     org;
+    t_t         tmin;
+    t_t         tmax;
+    logic       cull;
+    logic       any_hit;
+    logic       ok;
+    prim_t      ignore;
+  } kept_t;
+  logic  kept_ready, first_ready;
+  kept_t kept;
+  stream_fifo #(.data_t(kept_t), .Depth(KeptRays)) u_kept (
+    .clk_i, .rst_ni, .used_o(),
+    .valid_i(in_valid_i && first_ready), .ready_o(kept_ready),
+    .data_i('{tag: in_i.tag, org: in_i.org, tmin: in_i.tmin, tmax: in_i.tmax, cull: in_i.cull,
+              any_hit: in_i.any_hit, ok: in_i.ok, ignore: in_i.ignore}),
+    .valid_o(), .ready_i(out_valid_o && out_ready_i), .data_o(kept)
+  );
+  assign in_ready_o = first_ready && kept_ready;
+
   // ---- Dominant axis ----
-  logic                 axis_valid, axis_ready;
+  logic                 axis_valid, axis_ready, axis_tag;
   logic [ShearDivW-1:0] num0, num1, den;
   side_t                axis_side;
-  dominant_axis #(.tag_t(pixel_tag_t)) u_axis (
+  dominant_axis #(.tag_t(logic)) u_axis (
     .clk_i, .rst_ni,
-    .in_valid_i, .in_ready_o, .in_dir_i(in_i.dir), .in_tag_i(in_i.tag),
+    .in_valid_i(in_valid_i && kept_ready), .in_ready_o(first_ready), .in_dir_i(in_i.dir), .in_tag_i(1'b0),
     .out_valid_o(axis_valid), .out_ready_i(axis_ready),
     .out_num0_o(num0), .out_num1_o(num1), .out_den_o(den),
     .out_minus0_o(axis_side.minus0), .out_minus1_o(axis_side.minus1),
-    .out_axis_o(axis_side.axis), .out_neg_o(axis_side.neg), .out_tag_o(axis_side.tag)
+    .out_axis_o(axis_side.axis), .out_neg_o(axis_side.neg), .out_tag_o(axis_tag)
   );
   assign axis_side.valid = den[ShearDivW-1];
 
@@ -95,10 +115,9 @@ module ray_setup
   endfunction
 
   typedef struct packed {
-    pixel_tag_t tag;
-    axis_t      axis;
-    logic       neg;
-    logic       valid;
+    axis_t axis;
+    logic  neg;
+    logic  valid;
   } rest_t;
   shear_t  sx_q [5], sy_q [5];
   rest_t   rest_q [5];
@@ -112,7 +131,7 @@ module ray_setup
     if (load[0]) begin
       sx_q[0]   <= signed_shear(q0, div_side.minus0, div_side.valid);
       sy_q[0]   <= signed_shear(q1, div_side.minus1, div_side.valid);
-      rest_q[0] <= '{tag: div_side.tag, axis: div_side.axis, neg: div_side.neg, valid: div_side.valid};
+      rest_q[0] <= '{axis: div_side.axis, neg: div_side.neg, valid: div_side.valid};
     end
     for (int unsigned i = 1; i < 5; i++) begin
       if (load[i]) begin
@@ -125,13 +144,11 @@ module ray_setup
   end
 
   assign out_o = '{
-    tag: rest_q[4].tag, org: camera_i.eye, sx: sx_q[4], sy: sy_q[4], norm2: norm2_q,
-    axis: rest_q[4].axis, neg: rest_q[4].neg, valid: rest_q[4].valid,
-    cull: 1'b0, any_hit: 1'b0, tmin: '0, tmax: TMax, ignore: NoPrim, rx: '0, ry: '0
+    tag: kept.tag, org: kept.org, sx: sx_q[4], sy: sy_q[4], norm2: norm2_q,
+    axis: rest_q[4].axis, neg: rest_q[4].neg, valid: rest_q[4].valid && kept.ok,
+    cull: kept.cull, any_hit: kept.any_hit, tmin: kept.tmin, tmax: kept.tmax, ignore: kept.ignore, rx: '0, ry: '0
   };
 
   logic unused_twin;    // the divisions move in step
-  assign unused_twin = twin_ready ^ twin_valid ^ twin_tag;
-  logic unused_camera;  // all but the eye is ray_gen's
-  assign unused_camera = ^camera_i;
+  assign unused_twin = twin_ready ^ twin_valid ^ twin_tag ^ axis_tag;
 endmodule

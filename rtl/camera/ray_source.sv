@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of a frame, tile by tile. Instances and wires only.
+// The rays of a frame, tile by tile, or those of a list. Instances and wires only.
 //
-//   tile_walk -> tile_start -> tile_deal -> tile_pixels -> ray_gen -> ray_setup -> slab_setup -> out
-//                    ^  corner pixels                        |           |
-//                    +---------------------------------------+-----------+
+//   tile_walk -> tile_start -> tile_deal -> tile_pixels -> ray_gen -> ray_choice -> ray_setup -> slab_setup -> out
+//                    ^  corner pixels                        |           ^             |
+//                    +---------------------------------------|-----------|-------------+
+//                                                                      list
 //
 // A tile is offered to the gather (tile_*) before its pixels come. One ray a cycle, corners before
 // others. A tile that no ray of it can hit is filled (fill_*), or where hits are wanted gives its
-// pixels at miss_*. Every input but the streams stands still from start_i until done.
+// pixels at miss_*. With job_i.is_list only the rays of list_* come, and nothing walks. Every input but the streams stands still from start_i until done.
 // Models: cpp_model/camera/tile_walk.hpp, ray_gen.hpp, ray_setup.hpp, slab_setup.hpp,
 // cpp_model/traverse/tile_start.hpp, equal bit for bit.
 module ray_source
@@ -22,16 +23,21 @@ module ray_source
   input  logic             clk_i,
   input  logic             rst_ni,
 
-  input  logic             start_i,
+  input  logic             start_i,        // a frame
   input  job_t             job_i,
   input  camera_t          camera_i,
   input  ref_t             root_i,
   input  line_no_t         nodes_i,        // where the nodes begin
   input  logic [31:0]      node_count_i,
   output error_t           fault_o,
-  output logic             walk_done_o,    // every pixel has been issued
+  output logic             walk_done_o,    // every pixel, or ray of the list, has been issued
   output logic             none_in_setup_o,
   output logic             exhausted_o,    // both: no more rays come
+
+  input  logic             list_valid_i,
+  output logic             list_ready_o,
+  input  ray_req_t         list_i,
+  input  logic             list_done_i,    // every ray has been taken
 
   output logic             tile_valid_o,
   input  logic             tile_ready_i,
@@ -120,13 +126,14 @@ module ray_source
   assign miss_o       = px;
   assign ray_px_valid = px_valid && !px_miss;
   assign px_ready     = px_miss ? miss_ready_i : ray_px_ready;
-  assign walk_done_o  = walked && started_idle && dealt_idle && pixels_idle;
+  assign walk_done_o  = job_i.is_list ? list_done_i : walked && started_idle && dealt_idle && pixels_idle;
 
   // ---- Rays: of corners first; which they are waits beside the pipes ----
   logic       camera_valid, camera_ready, dir_valid, dir_ready, ray_valid, ray_ready, is_corner;
-  logic       flag_ready, slab_valid, slab_ready, issued;
+  logic       flag_ready, req_valid, req_ready, flagged, slab_valid, slab_ready, issued, ray_taken;
   pixel_tag_t camera_px;
   pixel_dir_t dir;
+  ray_req_t   req;
 
   assign camera_valid = (corner_valid || ray_px_valid) && flag_ready;
   assign camera_px    = corner_valid ? corner : px;
@@ -138,8 +145,9 @@ module ray_source
   stream_fifo #(.data_t(logic), .Depth(SetupRays)) u_flags (
     .clk_i, .rst_ni, .used_o(),
     .valid_i(issued), .ready_o(flag_ready), .data_i(corner_valid),
-    .valid_o(), .ready_i(ray_valid && ray_ready), .data_o(is_corner)
+    .valid_o(), .ready_i(ray_valid && ray_ready), .data_o(flagged)
   );
+  assign is_corner = flagged && !job_i.is_list;
 
   ray_gen u_ray_gen (
     .clk_i, .rst_ni, .camera_i,
@@ -147,9 +155,16 @@ module ray_source
     .out_valid_o(dir_valid), .out_ready_i(dir_ready), .out_o(dir)
   );
 
+  ray_choice u_ray_choice (
+    .is_list_i(job_i.is_list), .eye_i(camera_i.eye),
+    .pixel_valid_i(dir_valid), .pixel_ready_o(dir_ready), .pixel_i(dir),
+    .list_valid_i, .list_ready_o, .list_i,
+    .out_valid_o(req_valid), .out_ready_i(req_ready), .out_o(req)
+  );
+
   ray_setup u_ray_setup (
-    .clk_i, .rst_ni, .camera_i,
-    .in_valid_i(dir_valid), .in_ready_o(dir_ready), .in_i(dir),
+    .clk_i, .rst_ni,
+    .in_valid_i(req_valid), .in_ready_o(req_ready), .in_i(req),
     .out_valid_o(ray_valid), .out_ready_i(ray_ready), .out_o(ray)
   );
   assign corner_ray_valid = ray_valid && is_corner;
@@ -162,9 +177,10 @@ module ray_source
     .out_valid_o, .out_ready_i, .out_o
   );
 
+  assign ray_taken = (ray_px_valid && ray_px_ready) || (list_valid_i && list_ready_o);
   credit #(.Limit(Slots << (2 * TileLog2))) u_in_setup (   // the pixels of all tiles in flight
     .clk_i, .rst_ni,
-    .take_i(ray_px_valid && ray_px_ready), .give_i(out_valid_o && out_ready_i),
+    .take_i(ray_taken), .give_i(out_valid_o && out_ready_i),
     .available_o(), .idle_o(none_in_setup_o)
   );
   assign exhausted_o = walk_done_o && none_in_setup_o;

@@ -2,8 +2,8 @@
 // Runs one job from its start to done:
 //   check   the arguments: else ErrRegister, and nothing was touched
 //   load    the job loader reads and checks header and frame record
-//   setup   frame_setup makes the camera
-//   run     the walk over the frame
+//   setup   frame_setup makes the camera; not for a list of rays
+//   run     the walk over the frame or the list
 //   drain   until the walk has ended, the datapath is empty and no burst is outstanding, for
 //           DrainCycles in a row: the last response has come and the counters have settled
 // The datapath is in reset except from load to drain: at least four cycles between two jobs, so
@@ -12,9 +12,9 @@
 // until no burst is outstanding, for AbortCycles in a row; then done, with the code. Errors of one
 // cycle rank: read bus, write bus, loader, datapath.
 // An argument is illegal if a register held bits outside its field; a side of the frame is not 1
-// to MaxFrameSize; the window is empty or leaves the frame; a buffer is not aligned or ends behind the
+// to MaxFrameSize; the window is empty or leaves the frame; a list has not 1 to MaxRays rays; a buffer is not aligned or ends behind the
 // address space; the image's window does not hold header and frame record. The hit buffer counts
-// only if hits are wanted.
+// only if hits are wanted, the rest only where the job is of its kind.
 // Model: cpp_model/mem/image.hpp, check_job().
 module job_control
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
@@ -40,7 +40,7 @@ module job_control
   output logic   setup_start_o,
   input  logic   setup_done_i,
   output logic   walk_start_o,
-  input  logic   walk_done_i,      // level: every pixel has left the walk
+  input  logic   walk_done_i,      // level: every pixel has left the walk, or ray the list
   input  logic   empty_i,          // level: nothing is between the walk and the AXI units
 
   input  logic   read_idle_i,      // of the AXI units
@@ -65,9 +65,13 @@ module job_control
   endfunction
 
   function automatic logic legal(job_t job);
-    return !job.illegal && !job.is_list && range_ok(job.x0, job.x1, job.width) && range_ok(job.y0, job.y1, job.height) &&
+    logic frame_ok, list_ok;
+    frame_ok = range_ok(job.x0, job.x1, job.width) && range_ok(job.y0, job.y1, job.height) &&
+               window_ok(job.frame, job.frame_bytes, BufferAlign);
+    list_ok  = job.ray_count != '0 && job.ray_count <= ray_count_t'(MaxRays) &&
+               window_ok(job.rays, job.ray_bytes, BufferAlign);
+    return !job.illegal && (job.is_list ? list_ok : frame_ok) &&
            window_ok(job.image, job.image_bytes, ImageAlign) && job.image_bytes >= HeaderBytes + FrameBytes &&
-           window_ok(job.frame, job.frame_bytes, BufferAlign) &&
            (!job.want_hits || window_ok(job.hits, job.hits_bytes, BufferAlign));
   endfunction
 
@@ -103,7 +107,7 @@ module job_control
       Idle:    if (start_i) state_d = Check;
       Check:   state_d = Judge;
       Judge:   state_d = legal_q ? Load : Done;
-      Load:    if (!entered_q && load_done_i) state_d = Setup;
+      Load:    if (!entered_q && load_done_i) state_d = job_i.is_list ? Run : Setup;
       Setup:   if (!entered_q && setup_done_i) state_d = Run;
       Run:     state_d = Drain;
       Drain:   if (drained && count_q == 4'(DrainCycles - 1)) state_d = Done;

@@ -5,6 +5,7 @@
 //   s0  row = y width        12x13, one DSP
 //   s1  index = row + x
 //   s2  address
+// The largest width makes of a ray of a list the pixel that its number stands for.
 // One record a cycle, in order, latency 3. base_i (a multiple of 32) and width_i stand still.
 // Model: cpp_model/mem/hit_writer.hpp, equal bit for bit.
 module hit_writer

@@ -10,9 +10,12 @@
 //      there are numbers for all primitives                ErrPrimitive
 //   7  the root is nothing, a node or a leaf               ErrNode
 //   8  frame record: size, stride, formats, ranges         ErrFrameRecord
+//      a list: RayBytes * rays <= bytes of its window      ErrRayWindow
+//      HitBytes * rays <= bytes of the hit buffer          ErrHitWindow
 //   13 stride * height <= bytes of the frame buffer        ErrFrameWindow
 //   14 width * height * HitBytes <= bytes of the hit       ErrHitWindow
 //      buffer, if hits are wanted
+// Of a list of rays nothing of a frame is checked.
 // One step a cycle. The two products are made meanwhile, one bit of the height a cycle: exact.
 // Latency: the memory's, and 17 cycles.
 // Model: cpp_model/mem/image.hpp, check_records().
@@ -108,6 +111,11 @@ module job_loader
            (record_q.checker_scale >> $bits(checker_t)) != '0;
   endfunction
 
+  function automatic error_t check_list();
+    if (38'(job_i.ray_count) * RayBytes > 38'(job_i.ray_bytes)) return ErrRayWindow;
+    return (38'(job_i.ray_count) * HitBytes > 38'(job_i.hits_bytes)) ? ErrHitWindow : ErrNone;
+  endfunction
+
   function automatic error_t check_step(logic [3:0] step);
     unique case (step)
       4'd0: return (header_q.magic != ImageMagic || header_q.version != ImageVersion) ? ErrImage : ErrNone;
@@ -119,9 +127,9 @@ module job_loader
       4'd6: return (header_q.primitives > header_q.attributes.count) ? ErrSection :
                    (header_q.primitives > 32'(NoPrim)) ? ErrPrimitive : ErrNone;
       4'd7: return root_bad(header_q.root) ? ErrNode : ErrNone;
-      4'd8: return record_bad() ? ErrFrameRecord : ErrNone;
-      StepRow: return (row_bytes_q > (32 + HeightW)'(job_i.frame_bytes)) ? ErrFrameWindow : ErrNone;
-      StepLast: return (job_i.want_hits && 32'(pixels_q) * HitBytes > job_i.hits_bytes) ? ErrHitWindow : ErrNone;
+      4'd8: return job_i.is_list ? check_list() : record_bad() ? ErrFrameRecord : ErrNone;
+      StepRow: return (!job_i.is_list && row_bytes_q > (32 + HeightW)'(job_i.frame_bytes)) ? ErrFrameWindow : ErrNone;
+      StepLast: return (!job_i.is_list && job_i.want_hits && 32'(pixels_q) * HitBytes > job_i.hits_bytes) ? ErrHitWindow : ErrNone;
       default: return ErrNone;
     endcase
   endfunction

@@ -6,6 +6,8 @@
 //               +-> found: queue -> attr_cache -> shade -+-> tile_gather -> frame buffer
 //               +-> a miss: background ------------------+
 //
+// Of a list of rays there are records only: its rays have no colour.
+//
 // Only rays of tiles that tile_* has asked for come in, each once. Every input but the streams
 // stands still from the first tile until idle.
 // Model: cpp_model/core.cpp (colour_of, render_row), equal bit for bit.
@@ -79,7 +81,7 @@ module shading
   assign written_ready = !job_i.want_hits || writer_ready;
 
   hit_writer u_hit_writer (
-    .clk_i, .rst_ni, .base_i(job_i.hits), .width_i(job_i.width),
+    .clk_i, .rst_ni, .base_i(job_i.hits), .width_i(job_i.is_list ? extent_t'(MaxFrameSize) : job_i.width),
     .in_valid_i(written_valid && job_i.want_hits), .in_ready_o(writer_ready), .in_i(hit),
     .out_valid_o(record_valid_o), .out_ready_i(record_ready_i), .out_o(record_o),
     .idle_o(records_idle)
@@ -94,9 +96,9 @@ module shading
   paint_t     paint;
   shaded_t    lit, back, shaded;
 
-  assign found_valid  = colour_valid && hit.found;
-  assign miss_valid   = colour_valid && !hit.found;
-  assign colour_ready = hit.found ? found_ready : miss_ready;
+  assign found_valid  = colour_valid && hit.found && !job_i.is_list;
+  assign miss_valid   = colour_valid && !hit.found && !job_i.is_list;
+  assign colour_ready = job_i.is_list || (hit.found ? found_ready : miss_ready);
 
   frame_paint u_frame_paint (.record_i, .paint_o(paint));
 
@@ -151,7 +153,7 @@ module shading
 
   credit #(.Limit(Slots << (2 * TileLog2))) u_uncoloured (   // the pixels of all tiles in flight
     .clk_i, .rst_ni,
-    .take_i(in_valid_i && in_ready_o), .give_i(shaded_valid && shaded_ready),
+    .take_i(in_valid_i && in_ready_o && !job_i.is_list), .give_i(shaded_valid && shaded_ready),
     .available_o(), .idle_o(coloured_o)
   );
   assign idle_o = coloured_o && gather_idle && records_idle && !hit_valid;

@@ -2,12 +2,13 @@
 // From rays to hits: the lanes, the queues of rays before them, and what leads primitives past their
 // contexts. Instances and wires only.
 //
-//   hierarchy    in -> the queue of the lane that its tile was dealt to -> lane[Lanes] -> arb -> out
+//   hierarchy    in -> the queue of the lane that its tile was dealt to, or whose turn it is with a
+//                list -> lane[Lanes] -> arb -> out
 //   brute force  in -> ray_dispatch -> lane[Lanes] -> arb -> out
 //                prim_reader -> brute_walk -^ (all lanes)
 //
 // Hits leave in another order than their rays came; pixels that meet nothing (miss_*) join them.
-// brute_i, tree_i, root_i, lines_i stand still from the first ray until idle.
+// is_list_i, brute_i, tree_i, root_i, lines_i stand still from the first ray until idle.
 // Model: cpp_model/traverse/lane.hpp, equal bit for bit.
 module traversal
   import castray_cfg_pkg::*;
@@ -22,6 +23,7 @@ module traversal
   input  logic                clk_i,
   input  logic                rst_ni,
 
+  input  logic                is_list_i,      // rays of a list: all start at the root
   input  logic                brute_i,
   input  tree_t               tree_i,
   input  ref_t                root_i,
@@ -110,7 +112,7 @@ module traversal
     .idle_o(brute_idle), .batch_o, .test_stall_o, .fetch_stall_o
   );
 
-  // ---- Hierarchy: what was dealt, by the tile's slot; a queue before each lane ----
+  // ---- Hierarchy: what was dealt, by the tile's slot, or a list's turn; a queue before each lane ----
   localparam int unsigned SlotW     = $clog2(Slots);
   localparam int unsigned TileNodes = 2 << SlotW;
   typedef struct packed {
@@ -120,18 +122,21 @@ module traversal
   dealt_t           dealt_q [1 << SlotW];
   logic [Lanes-1:0] queue_ready, to_lane, queue_valid;
   ray_t             queued [Lanes];
-  lane_no_t         in_lane;
+  lane_no_t         in_lane, turn;
 
   always_ff @(posedge clk_i) begin
     if (deal_valid_i) dealt_q[deal_i.tile.slot[SlotW-1:0]] <= '{lane: deal_lane_i, start: deal_i.start};
   end
-  assign in_lane    = dealt_q[in_i.tag.slot[SlotW-1:0]].lane;
+  list_turn #(.Lanes(Lanes)) u_list_turn (
+    .clk_i, .rst_ni, .taken_i(is_list_i && !brute_i && in_valid_i && in_ready_o), .lane_o(turn)
+  );
+  assign in_lane    = is_list_i ? turn : dealt_q[in_i.tag.slot[SlotW-1:0]].lane;
   assign in_ready_o = brute_i ? dealt_ready : |(queue_ready & to_lane);
 
-  function automatic start_t start_of(dealt_t dealt, logic [SlotW-1:0] tile_slot, ref_t root);
+  function automatic start_t start_of(logic [1:0] start, logic [SlotW-1:0] tile_slot, ref_t root);
     ref_t none;
     none = '{kind: RefNone, index: '0};
-    unique case (dealt.start)
+    unique case (start)
       TileRoot: return '{first: root, second: none};
       TileOne:  return '{first: '{kind: RefTile, index: line_t'({tile_slot, 1'b0})}, second: none};
       TileTwo:  return '{first: '{kind: RefTile, index: line_t'({tile_slot, 1'b0})},
@@ -162,7 +167,7 @@ module traversal
     lane #(.Contexts(Contexts), .TileNodes(TileNodes)) u_lane (
       .clk_i, .rst_ni, .hierarchy_i(!brute_i), .tree_i,
       .fill_i(fill || !brute_i), .ray_valid_i(ray_valid[i]), .ray_ready_o(ray_ready[i]), .ray_i(ray),
-      .start_i(start_of(dealt_q[tile_slot], tile_slot, root_i)),
+      .start_i(start_of(is_list_i ? TileRoot : dealt_q[tile_slot].start, tile_slot, root_i)),
       .test_valid_i(test_valid), .test_ready_o(test_ready[i]), .test_step_i(&test_ready),
       .test_ctx_i(test_ctx), .test_prim_i(test_prim),
       .tile_write_i(store_valid_i), .tile_index_i({store_slot_i[SlotW-1:0], store_second_i}),

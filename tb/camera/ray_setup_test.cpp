@@ -13,18 +13,17 @@ constexpr std::int64_t kCompMax = (std::int64_t{1} << (dir_comp_t_bits - 1)) - 1
 constexpr std::int64_t kCompMin = -kCompMax - 1;
 constexpr int kStages = 4 + 29 + 5;
 
-pixel_dir_t item(std::int64_t x, std::int64_t y, std::int64_t z) {
-  return {.dir = {.z = z, .y = y, .x = x}, .tag = {.x = 1, .y = 2, .slot = 3}};
+// What a camera asks for.
+ray_req_t item(std::int64_t x, std::int64_t y, std::int64_t z) {
+  camera_t camera;
+  camera.eye = {.z = 3, .y = (1u << CoordW) - 1, .x = 0};
+  return camera_request({.z = z, .y = y, .x = x}, camera, {.x = 1, .y = 2, .slot = 3});
 }
 
 class RaySetup : public ::testing::TestWithParam<Stalls> {
  protected:
-  RaySetup() {
-    camera.eye = {.z = 3, .y = (1u << CoordW) - 1, .x = 0};
-    set_port(dut->camera_i, camera);
-  }
-  ray_t model(const pixel_dir_t& in) const { return ray_setup(in.dir, camera, in.tag); }
-  std::vector<ray_t> run(const std::vector<pixel_dir_t>& in, Stalls stalls = {}) {
+  static ray_t model(const ray_req_t& in) { return ray_setup(in); }
+  std::vector<ray_t> run(const std::vector<ray_req_t>& in, Stalls stalls = {}) {
     const auto got = run_stream<ray_t>(dut, in, in.size(), stalls);
     EXPECT_EQ(got.size(), in.size());
     for (std::size_t i = 0; i < got.size(); ++i)
@@ -34,13 +33,12 @@ class RaySetup : public ::testing::TestWithParam<Stalls> {
   ray_t run_one(std::int64_t x, std::int64_t y, std::int64_t z) { return run({item(x, y, z)}).at(0); }
 
   Dut<Vray_setup> dut;
-  camera_t camera;
 };
 INSTANTIATE_TEST_SUITE_P(Stalls, RaySetup, ::testing::ValuesIn(kStallPatterns));
 
 TEST_P(RaySetup, MatchesModel) {
   std::mt19937_64 rng(11);
-  std::vector<pixel_dir_t> in(20000);
+  std::vector<ray_req_t> in(20000);
   for (auto& pixel : in) {
     // Components of any magnitude; now and then equal ones.
     const auto component = [&] { return wrap_signed(static_cast<std::int64_t>(rng()), dir_comp_t_bits) >> (rng() % (rng() % 4 ? 6 : 46)); };
@@ -49,6 +47,10 @@ TEST_P(RaySetup, MatchesModel) {
     if (rng() % 8 == 0) pixel.dir.z = rng() % 2 ? pixel.dir.y : -pixel.dir.y;
     pixel.dir = {.z = wrap_signed(pixel.dir.z, dir_comp_t_bits), .y = wrap_signed(pixel.dir.y, dir_comp_t_bits), .x = pixel.dir.x};
     pixel.tag = {.x = rng() % 4096, .y = rng() % 4096, .slot = rng() % 256};
+    const auto coord = [&] { return rng() & ((1u << CoordW) - 1); };
+    pixel.org = {.z = coord(), .y = coord(), .x = coord()};
+    pixel.tmin = wrap_signed(static_cast<std::int64_t>(rng()), t_t_bits), pixel.tmax = wrap_signed(static_cast<std::int64_t>(rng()), t_t_bits);
+    pixel.cull = rng() & 1, pixel.any_hit = rng() & 1, pixel.ok = rng() % 8 != 0, pixel.ignore = rng() & static_cast<std::uint64_t>(NoPrim);
   }
   run(in, GetParam());
 }
@@ -133,7 +135,7 @@ TEST_F(RaySetup, DropsWhatLiesBelow32Bits) {
 
 TEST_F(RaySetup, KeepsTheExtremesOfItsFormat) {
   const std::vector<std::int64_t> values = {kCompMin, kCompMin + 1, -kCompMax / 2, -1, 0, 1, kCompMax / 2, kCompMax - 1, kCompMax};
-  std::vector<pixel_dir_t> in;
+  std::vector<ray_req_t> in;
   for (const auto x : values)
     for (const auto y : values)
       for (const auto z : values) in.push_back(item(x, y, z));
@@ -157,12 +159,34 @@ TEST_F(RaySetup, MarksTheZeroDirection) {
 
 TEST_F(RaySetup, FillsInTheRestOfTheRay) {
   const ray_t ray = run_one(5, -6, 7);
-  EXPECT_TRUE(ray.org == camera.eye);
+  EXPECT_TRUE(ray.org == item(0, 0, 0).org);
   EXPECT_TRUE(ray.tag == item(0, 0, 0).tag);
   EXPECT_EQ(ray.tmin, 0);
   EXPECT_EQ(ray.tmax, TMax);
   EXPECT_EQ(ray.ignore, static_cast<prim_t>(NoPrim));
   EXPECT_EQ(ray.cull | ray.any_hit, 0u);
+}
+
+TEST_F(RaySetup, TakesLimitsFlagsAndOrigin) {
+  ray_req_t req = item(5, -6, 7);
+  req.org = {.z = 1, .y = 2, .x = 3};
+  req.tmin = -4, req.tmax = 5, req.cull = 1, req.ignore = 6;
+  const ray_t ray = run({req}).at(0);
+  EXPECT_TRUE(ray.org == req.org);
+  EXPECT_EQ(ray.tmin, -4);
+  EXPECT_EQ(ray.tmax, 5);
+  EXPECT_EQ(ray.ignore, 6u);
+  EXPECT_EQ(ray.cull, 1u);
+  EXPECT_EQ(ray.any_hit, 0u);
+  EXPECT_EQ(ray.valid, 1u);
+}
+
+TEST_F(RaySetup, MarksARequestThatIsNotOk) {
+  ray_req_t req = item(5, -6, 7);
+  req.ok = 0, req.any_hit = 1;
+  const ray_t ray = run({req}).at(0);
+  EXPECT_EQ(ray.valid, 0u);
+  EXPECT_EQ(ray.any_hit, 1u);
 }
 
 TEST_F(RaySetup, FillsEveryStageWhileBlocked) {
@@ -172,7 +196,7 @@ TEST_F(RaySetup, FillsEveryStageWhileBlocked) {
 
 TEST_F(RaySetup, GivesOneRayACycle) {
   const long start = dut.cycles();
-  run(std::vector<pixel_dir_t>(1000, item(3, 2, 1)));
+  run(std::vector<ray_req_t>(1000, item(3, 2, 1)));
   EXPECT_EQ(dut.cycles() - start, 1000 + kStages);
 }
 

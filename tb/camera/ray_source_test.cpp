@@ -33,6 +33,7 @@ class RaySource : public ::testing::TestWithParam<Stalls> {
     camera.height = 48;
     set_port(dut->camera_i, camera);
     dut->fill_line_valid_i = dut->req_ready_i = dut->left_i = 0;   // of the hierarchy: it is not followed
+    dut->list_valid_i = dut->list_done_i = 0;
     dut->miss_ready_i = dut->fill_ready_i = 1;
     dut.reset();
   }
@@ -87,6 +88,49 @@ TEST_P(RaySource, MatchesModels) {
   follow(brute(0, 0, 64, 48, true), GetParam());
   follow(brute(5, 7, 6, 8, false), GetParam());
   follow(brute(3, 2, 50, 45, true), GetParam());
+}
+
+// The rays of a list instead: their setups, and nothing else comes.
+TEST_P(RaySource, GivesTheRaysOfAList) {
+  constexpr std::size_t kRays = 500;
+  job_t job = window(64, 48, 0, 0, 64, 48, false);
+  job.is_list = 1;
+  std::mt19937_64 rng(8);
+  std::vector<ray_req_t> list(kRays);
+  for (std::size_t i = 0; i < kRays; ++i) {
+    packed_t<ray_req_t> words;
+    for (auto& word : words) word = static_cast<std::uint32_t>(rng());
+    list[i] = unpack<ray_req_t>(words.data());
+  }
+  Gate source(GetParam().source, GetParam().burst, 5), sink(GetParam().sink, GetParam().burst, 6);
+  set_port(dut->job_i, job);
+  dut->tile_ready_i = 1;
+  dut->start_i = 0;
+  std::size_t given = 0, came = 0;
+  for (long cycle = 0; cycle < 20000 && came < kRays; ++cycle) {
+    if (!dut->list_valid_i && given < kRays && source.open()) {
+      dut->list_valid_i = 1;
+      set_port(dut->list_i, list[given]);
+    }
+    dut->list_done_i = given == kRays;
+    dut->out_ready_i = sink.open();
+    dut.settle();
+    ASSERT_FALSE(dut->exhausted_o) << came;
+    ASSERT_EQ(dut->none_in_setup_o, came == given);
+    ASSERT_FALSE(dut->tile_valid_o || dut->miss_valid_o || dut->fill_valid_o || dut->deal_valid_o);
+    if (dut->out_valid_o && dut->out_ready_i) {
+      ASSERT_TRUE(get_port<ray_t>(dut->out_o) == slab_setup(ray_setup(list[came]))) << came;
+      ++came;
+    }
+    const bool taken = dut->list_valid_i && dut->list_ready_o;
+    given += taken;
+    dut.tick();
+    if (taken) dut->list_valid_i = 0;
+  }
+  EXPECT_EQ(came, kRays);
+  dut->list_done_i = 1;
+  dut.settle();
+  EXPECT_TRUE(dut->exhausted_o);
 }
 
 // With the lanes shut the walk runs ahead into the pipes, and ends there: done, but not exhausted.

@@ -43,7 +43,7 @@ const Register kRegisters[] = {
     {"ImageAboveTheBus", [](auto& d) { d.set_pointer(RegImage, std::uint64_t{1} << 40); }},
     {"FramePastTheEnd", [](auto& d) { d.set_pointer(RegFrame, (std::uint64_t{1} << 40) - 64); }},
     {"ImageTooSmall", [](auto& d) { d.set(RegImageBytes, 255); }},
-    {"UnknownOption", [](auto& d) { d.set(RegOptions, 1 << 4); }},
+    {"UnknownOption", [](auto& d) { d.set(RegOptions, 1 << NumOptions); }},
     {"WindowEmpty", [](auto& d) { d.set(RegWindowMin, 5 | 5 << 16), d.set(RegWindowMax, 5 | 6 << 16); }},
     {"WindowReversed", [](auto& d) { d.set(RegWindowMin, 9 | 9 << 16), d.set(RegWindowMax, 3 | 12 << 16); }},
     {"WindowOutside", [](auto& d) { d.set(RegWindowMax, 25 | 16 << 16); }},

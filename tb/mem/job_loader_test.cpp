@@ -109,11 +109,17 @@ TEST_F(JobLoader, EqualsTheModelOnSeededImages) {
     nudge(image.job.frame_bytes, 1);
     nudge(image.job.hits_bytes, 1);
     image.job.want_hits = rng() & 1;
+    image.job.is_list = rng() % 4 == 0;
+    if (image.job.is_list) {
+      image.job.ray_count = rng() % 2 ? 1 + rng() % 100 : 1 + rng() % MaxRays;
+      image.job.ray_bytes = image.job.ray_count * RayBytes + (rng() % 4 ? 0 : rng() % 3 - 1);
+      image.job.hits_bytes = image.job.ray_count * HitBytes + (rng() % 4 ? 0 : rng() % 3 - 1);
+    }
     const error_t expected = check_records(image.header, image.frame, image.job);
     ++seen[static_cast<int>(expected)];
     ASSERT_EQ(run(image), expected) << to_text(image.header) << "\n" << to_text(image.frame) << "\n" << to_text(image.job);
   }
-  for (const error_t error : {ErrNone, ErrSection, ErrFrameRecord, ErrFrameWindow, ErrHitWindow})
+  for (const error_t error : {ErrNone, ErrSection, ErrFrameRecord, ErrFrameWindow, ErrHitWindow, ErrRayWindow})
     EXPECT_GT(seen[static_cast<int>(error)], 100) << "too few to say anything about error " << error;
 }
 

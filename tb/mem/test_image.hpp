@@ -54,6 +54,16 @@ struct TestImage {
   }
 };
 
+// The same image with a list of rays, whose windows end with it, and nothing of a frame.
+inline void make_list(TestImage& t, std::uint64_t rays = 100) {
+  t.frame = {};
+  t.job.frame = 7, t.job.frame_bytes = 0;
+  t.job.width = t.job.height = t.job.x1 = t.job.y1 = 0;
+  t.job.is_list = 1;
+  t.job.rays = 0x70'0000'0040, t.job.ray_count = rays, t.job.ray_bytes = rays * 64;
+  t.job.hits_bytes = rays * 32;
+}
+
 // A way to spoil it, and the code that this gives.
 struct Defect {
   const char* name;
@@ -128,6 +138,14 @@ inline const Defect kRecordDefects[] = {
        t.job.frame_bytes = 1u << 26;
        t.job.hits_bytes = (1u << 29) - 1;
      }},
+    {"a list", ErrNone, [](TestImage& t) { make_list(t); }},
+    {"a list, its rays one byte short", ErrRayWindow, [](TestImage& t) { make_list(t), t.job.ray_bytes -= 1; }},
+    {"a list, its hits one byte short", ErrHitWindow, [](TestImage& t) { make_list(t), t.job.hits_bytes -= 1; }},
+    {"a list, both one byte short", ErrRayWindow, [](TestImage& t) { make_list(t), t.job.ray_bytes -= 1, t.job.hits_bytes -= 1; }},
+    {"the longest list", ErrNone, [](TestImage& t) { make_list(t, MaxRays); }},
+    {"the longest list, its rays one byte short", ErrRayWindow, [](TestImage& t) { make_list(t, MaxRays), t.job.ray_bytes -= 1; }},
+    {"the longest list, its hits one byte short", ErrHitWindow, [](TestImage& t) { make_list(t, MaxRays), t.job.hits_bytes -= 1; }},
+    {"a list in a bad image", ErrSection, [](TestImage& t) { make_list(t), t.header.lines.offset += 128; }},
 };
 
 // What job_control finds: ErrRegister; the entries with ErrNone are the last legal ones.
@@ -155,6 +173,15 @@ inline const Defect kJobDefects[] = {
     {"hits past the end", ErrRegister, [](TestImage& t) { t.job.hits = kSpace - 17920, t.job.hits_bytes = 17921; }},
     {"hits past the end, not wanted", ErrNone, [](TestImage& t) { t.job.hits = kSpace - 64, t.job.want_hits = 0; }},
     {"no room for the header", ErrRegister, [](TestImage& t) { t.job.image_bytes = 255; }},
+    {"a list", ErrNone, [](TestImage& t) { make_list(t); }},
+    {"an empty list", ErrRegister, [](TestImage& t) { make_list(t, 0); }},
+    {"the longest list", ErrNone, [](TestImage& t) { make_list(t, MaxRays); }},
+    {"a list too long", ErrRegister, [](TestImage& t) { make_list(t, MaxRays + 1); }},
+    {"rays unaligned", ErrRegister, [](TestImage& t) { make_list(t), t.job.rays += 32; }},
+    {"rays to the last byte", ErrNone, [](TestImage& t) { make_list(t), t.job.rays = kSpace - t.job.ray_bytes; }},
+    {"rays past the end", ErrRegister, [](TestImage& t) { make_list(t), t.job.rays = kSpace - t.job.ray_bytes + 64; }},
+    {"rays unaligned, of a frame", ErrNone, [](TestImage& t) { t.job.rays += 32, t.job.ray_count = 0; }},
+    {"hits of a list unaligned", ErrRegister, [](TestImage& t) { make_list(t), t.job.hits += 32; }},
 };
 
 }  // namespace castray::tb

@@ -27,7 +27,7 @@ class Hierarchy {
       const ray_t ray = maker_.make();
       const hit_t hit = expect_same(ray);
       if (testing::Test::HasFailure()) return;
-      if (hit.found && maker_.one_in(2)) expect_same(maker_.around(ray, hit));
+      if (hit.found && maker_.one_in(2)) expect_same(maker_.around(ray, hit.t, hit.number));
     }
   }
   Totals totals;

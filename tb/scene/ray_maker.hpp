@@ -7,6 +7,7 @@
 #include "camera/ray_setup.hpp"
 #include "camera/slab_setup.hpp"
 #include "mem/prim_reader.hpp"
+#include "mem/ray_request.hpp"
 #include "scene/compile.hpp"
 
 namespace castray::tb {
@@ -18,34 +19,41 @@ class RayMaker {
 
   const std::vector<prim_slot_t>& slots() const { return slots_; }
 
-  ray_t make() {
+  ray_record_t record() {
     const Point from = origin(), to = target();
     Point d{to.x - from.x, to.y - from.y, to.z - from.z};
     if (one_in(6)) d.x = 0;
     if (one_in(6)) d.y = 0;
     if (one_in(6)) d.z = 0;
-    camera_t camera;
-    camera.eye.x = static_cast<coord_t>(from.x), camera.eye.y = static_cast<coord_t>(from.y), camera.eye.z = static_cast<coord_t>(from.z);
+    point_t org;
+    org.x = static_cast<coord_t>(from.x), org.y = static_cast<coord_t>(from.y), org.z = static_cast<coord_t>(from.z);
     dir_t dir;
     dir.x = d.x * 65536, dir.y = d.y * 65536, dir.z = d.z * 65536;
     if (!one_in(8)) dir.x += in(-32768, 32767), dir.y += in(-32768, 32767), dir.z += in(-32768, 32767);
-    ray_t ray = slab_setup(ray_setup(dir, camera, {}));
-    ray.tag.x = static_cast<pixel_t>(count_ % 4096), ray.tag.y = static_cast<pixel_t>(count_ / 4096 % 4096);
-    ++count_;
-    ray.cull = one_in(4);
-    ray.any_hit = one_in(5);
-    if (one_in(5)) ray.tmin = one_in(2) ? in(-1 << 20, 1 << 20) : in(0, TMax);
-    if (one_in(5)) ray.tmax = one_in(2) ? in(0, 1 << 24) : in(0, TMax);
-    if (one_in(4)) ray.ignore = any().number;
-    return ray;
+    ray_record_t record = ray_record(org, dir);
+    record.flags |= std::uint64_t{one_in(4)} << RayCull;
+    record.flags |= std::uint64_t{one_in(5)} << RayAnyHit;
+    if (one_in(5)) record.tmin = one_in(2) ? in(-1 << 20, 1 << 20) : in(0, TMax);
+    if (one_in(5)) record.tmax = one_in(2) ? in(0, 1 << 24) : in(0, TMax);
+    if (one_in(4)) record.ignore = any().number;
+    return record;
+  }
+
+  // A ray as a lane takes it: limits below zero and empty ranges too.
+  ray_t make() {
+    const ray_record_t record = this->record();
+    ray_req_t req = ray_request(record, count_++);
+    req.tmin = record.tmin;
+    req.ok = 1;
+    return slab_setup(ray_setup(req));
   }
 
   // The same ray with limits around a hit of it, or without the primitive that it hits.
-  ray_t around(ray_t ray, const hit_t& hit) {
+  template <class Ray> Ray around(Ray ray, std::int64_t t, std::uint64_t number) {
     switch (in(0, 2)) {
-      case 0: ray.tmax = std::min<t_t>(hit.t + in(-1, 1), TMax); break;
-      case 1: ray.tmin = hit.t + in(-1, 1); break;
-      default: ray.ignore = hit.number;
+      case 0: ray.tmax = std::min<t_t>(t + in(-1, 1), TMax); break;
+      case 1: ray.tmin = t + in(-1, 1); break;
+      default: ray.ignore = number;
     }
     return ray;
   }

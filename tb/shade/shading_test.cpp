@@ -138,6 +138,47 @@ TEST_P(Shading, WritesWhatTheModelWrites) {
   run(1, 1, true, GetParam());
 }
 
+// Records at the rays' numbers, and nothing of a picture.
+TEST_P(Shading, WritesOfAListItsRecordsOnly) {
+  constexpr std::size_t kRays = 400;
+  Stimulus stimulus(3);
+  job_t job;
+  job.hits = kHits, job.is_list = job.want_hits = 1;
+  job.width = job.height = 7;   // are not looked at
+  dut->tile_valid_i = dut->in_valid_i = dut->rsp_valid_i = dut->fill_valid_i = 0;
+  dut.reset();
+  set_port(dut->job_i, job);
+  Buffer hits{kHits, std::vector<std::uint8_t>(8192 * HitBytes, kUntouched)};
+  Buffer want = hits;
+  Gate source(GetParam().source, GetParam().burst, 2), bus(GetParam().sink, GetParam().burst, 3);
+  std::size_t given = 0;
+  for (long cycle = 0; cycle < 20000 && (given < kRays || !dut->idle_o); ++cycle) {
+    if (!dut->in_valid_i && given < kRays && source.open()) {
+      const std::uint64_t number = given * 37 % 8192;
+      offered_ = stimulus.hit();
+      offered_.tag = {.x = number % MaxFrameSize, .y = number / MaxFrameSize};
+      offered_.found = stimulus.bits(2) != 0, offered_.any_hit = stimulus.bits(1);
+      store_record(&want.bytes[number * HitBytes], hit_record(offered_));
+      dut->in_valid_i = 1;
+      set_port(dut->in_i, offered_);
+    }
+    dut->read_ready_i = dut->pixel_ready_i = 1;
+    dut->record_ready_i = bus.open();
+    dut.settle();
+    ASSERT_FALSE(dut->read_valid_o || dut->pixel_valid_o);
+    if (dut->record_valid_o && dut->record_ready_i) ASSERT_NO_FATAL_FAILURE(hits.write(get_port<write_req_t>(dut->record_o)));
+    const bool took = dut->in_valid_i && dut->in_ready_o;
+    given += took;
+    dut.tick();
+    if (took) dut->in_valid_i = 0;
+    dut.settle();
+    if (took) ASSERT_FALSE(dut->idle_o) << "a hit came";
+  }
+  EXPECT_EQ(given, kRays);
+  EXPECT_TRUE(dut->idle_o);
+  EXPECT_TRUE(hits.bytes == want.bytes);
+}
+
 TEST_F(Shading, WaitsForTheRecords) { run(2, 1, true, {}, 300); }
 
 }  // namespace
