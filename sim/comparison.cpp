@@ -7,6 +7,10 @@
 namespace castray::sim {
 namespace {
 constexpr std::size_t kFirst = 8;
+
+bool record_differs(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b, std::size_t i) {
+  return std::memcmp(&a[i * HitBytes], &b[i * HitBytes], HitBytes) != 0;
+}
 }
 
 Comparison compare(const Rendering& a, const Rendering& b) {
@@ -18,7 +22,7 @@ Comparison compare(const Rendering& a, const Rendering& b) {
   const bool hits = !a.hits.empty() && !b.hits.empty();
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
     const bool pixel = a.pixels[i] != b.pixels[i];
-    const bool hit = hits && std::memcmp(&a.hits[i * HitBytes], &b.hits[i * HitBytes], HitBytes) != 0;
+    const bool hit = hits && record_differs(a.hits, b.hits, i);
     result.pixels_differ += pixel;
     result.hits_differ += hit;
     if ((pixel || hit) && result.first.size() < kFirst) result.first.push_back(i);
@@ -33,7 +37,7 @@ Comparison compare(const Answers& a, const Answers& b) {
     return result;
   }
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::memcmp(&a.hits[i * HitBytes], &b.hits[i * HitBytes], HitBytes) == 0) continue;
+    if (!record_differs(a.hits, b.hits, i)) continue;
     if (result.hits_differ++ < kFirst) result.first.push_back(i);
   }
   return result;

@@ -8,7 +8,8 @@
 //
 // A tile is offered to the gather (tile_*) before its pixels come. One ray a cycle, corners before
 // others. A tile that no ray of it can hit is filled (fill_*), or where hits are wanted gives its
-// pixels at miss_*. With job_i.is_list only the rays of list_* come, and nothing walks. Every input but the streams stands still from start_i until done.
+// pixels at miss_*. With job_i.is_list only the rays of list_* come, and nothing walks. Every input
+// but the streams stands still from start_i until done.
 // Models: cpp_model/camera/tile_walk.hpp, ray_gen.hpp, ray_setup.hpp, slab_setup.hpp,
 // cpp_model/traverse/tile_start.hpp, equal bit for bit.
 module ray_source

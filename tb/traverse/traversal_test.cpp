@@ -22,7 +22,7 @@ constexpr std::uint64_t kLinesAt = 0x12'3456'0000;   // of the primitives that b
 class Traversal : public testing::TestWithParam<Stalls> {
  protected:
   Traversal() {
-    dut_->brute_i = dut_->exhausted_i = dut_->starved_i = dut_->deal_valid_i = dut_->store_valid_i = 0;
+    dut_->is_list_i = dut_->brute_i = dut_->exhausted_i = dut_->starved_i = dut_->deal_valid_i = dut_->store_valid_i = 0;
     dut_->in_valid_i = dut_->miss_valid_i = dut_->rsp_valid_i = dut_->lines_i = 0;
     for (int i = 0; i < kClients; ++i) memory_.emplace_back([this](line_no_t line) { return line_at(*image_, line); }, GetParam(), 10u + static_cast<unsigned>(i));
   }
