@@ -62,6 +62,18 @@ class Traversal : public testing::TestWithParam<Stalls> {
     }
   }
 
+  // Rays of a list: 16 to each lane in turn.
+  void send_list(RayMaker& maker, int rays) {
+    dut_->is_list_i = 1;
+    for (int i = 0; i < rays && !HasFatalFailure(); ++i) {
+      const ray_t ray = maker.make();
+      const TreeHit model = castray::lane(ray, tree_, tree_.root(), [](const cand_t&, const result_t*) {});
+      ASSERT_EQ(model.error, ErrNone);
+      send(ray, model.hit);
+      ++dealt_[static_cast<std::size_t>(i / 16 % kLanes)];
+    }
+  }
+
   // ---- Brute force ----
   void set_primitives(const std::vector<prim_slot_t>& prims) {
     dut_->brute_i = 1;
@@ -211,6 +223,15 @@ TEST_P(Traversal, IsNotIdleWithARayInAQueue) {
     send_tile(maker, i % kSlots, i % kLanes, TileRoot, 1);
     finish();
   }
+}
+
+TEST_P(Traversal, DealsTheRaysOfAListInTurn) {
+  const SceneImage image = compile(load_scene("scenes/teapot.json"), 320, 240);
+  follow(image);
+  RayMaker maker(image, 7);
+  send_list(maker, 150);
+  finish();
+  EXPECT_EQ(left_, dealt_);
 }
 
 TEST_P(Traversal, TestsAllByBruteForce) {
