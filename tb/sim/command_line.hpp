@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program run in this process, in a folder of its own.
 #pragma once
+#include <fcntl.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -75,6 +77,22 @@ class CommandLine : public FolderTest {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     for (const std::string& word : words) EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " not in: " << outcome.err;
     EXPECT_EQ(count(), before) << "a file was left behind";
+  }
+  // A full disk, or a closed one: what nobody got is no success.
+  static void expect_needs_output(const std::string& arguments) {
+    SCOPED_TRACE(arguments);
+    std::fflush(stdout);
+    const int kept = dup(STDOUT_FILENO), full = open("/dev/full", O_WRONLY);
+    dup2(full, STDOUT_FILENO);
+    testing::internal::CaptureStderr();
+    const int code = execute(arguments);
+    const std::string err = testing::internal::GetCapturedStderr();
+    dup2(kept, STDOUT_FILENO);
+    close(kept);
+    close(full);
+    std::clearerr(stdout);
+    EXPECT_EQ(code, 6);
+    EXPECT_NE(err.find("standard output"), std::string::npos) << err;
   }
 
   static inline const std::string kProgram = "castray";

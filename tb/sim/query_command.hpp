@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the tests of castray query share.
 #pragma once
-#include <fcntl.h>
-
 #include <sstream>
 
 #include "command_line.hpp"
