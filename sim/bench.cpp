@@ -80,8 +80,20 @@ std::vector<Run> tree_runs() {
   return runs;
 }
 
+// The base view's camera rays as a list: ports, and the other memory.
+std::vector<Run> list_runs() {
+  std::vector<Run> runs;
+  for (const auto& [ports, memory] : {std::pair{1, "reference"}, {2, "reference"}, {1, "hp"}, {2, "hp"}}) {
+    Core core = tree_core(castray::sim::Mode::kBvhRoot);
+    core.hits = true, core.ports = ports, core.memory = memory;
+    runs.push_back({"list", "list of camera rays, " + std::to_string(ports) + " ports, " + memory, [=] { return list_run(kTreeFrames[0], core); }});
+  }
+  return runs;
+}
+
 std::vector<Run> counted_runs() {
   std::vector<Run> runs = tree_runs();
+  for (Run& run : list_runs()) runs.push_back(std::move(run));
   const auto add = [&](const char* part, std::string name, std::function<Json()> measure) {
     runs.push_back({part, std::move(name), std::move(measure)});
   };
@@ -154,7 +166,7 @@ int main(int argc, char** argv) {
   unsigned workers = std::max(1u, std::thread::hardware_concurrency());
   app.add_option("--json", json, "the records, a list of objects")->capture_default_str();
   app.add_option("--page", page, "the tables as Markdown; printed in any case");
-  app.add_option("--only", parts, "these parts: tree tree_speed compile speed host embree frames ladder tiles transforms stalls reference");
+  app.add_option("--only", parts, "these parts: tree list tree_speed compile speed host embree frames ladder tiles transforms stalls reference");
   app.add_option("--match", match, "runs whose name holds this");
   app.add_option("-j", workers, "runs at a time; what is timed runs alone")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <limits>
 
+#include "camera_list.hpp"
 #include "comparison.hpp"
 #include "frame_run.hpp"
 #include "reference/disagreement.hpp"
@@ -31,11 +32,34 @@ Json head(const Frame& frame, const char* engine, sim::Mode mode) {
           {"width", frame.width}, {"height", frame.height}, {"pixels", frame.width * frame.height}};
 }
 
-// The counters of a frame, and what follows from them. A ray is a pixel, those of empty tiles too.
-void add_counters(Json& record, const sim::Rendering& rendering, const Core& core) {
-  for (const auto& [index, name] : sim::kCounterNames) record[name] = rendering.counters[static_cast<std::size_t>(index)];
+using Counts = std::array<std::uint64_t, Counters>;
+
+sim::RtlOptions device_of(const Core& core) {
+  sim::RtlOptions device;
+  device.variant = {core.lanes, core.contexts, core.tile_log2, core.ports, core.l2_kbytes};
+  device.timing = sim::AxiTiming::named(core.memory);
+  device.timing.reorder = core.stalls != "none";
+  device.stalls = core.stalls;
+  return device;
+}
+
+void add_core(Json& record, const Core& core) {
+  record["lanes"] = core.lanes;
+  record["contexts"] = core.contexts;
+  record["tile"] = 1 << core.tile_log2;
+  record["walk"] = core.z_order ? "z" : "rows";
+  record["ports"] = core.ports;
+  record["l2_kbytes"] = core.l2_kbytes;
+  record["memory"] = core.memory;
+  record["stalls"] = core.stalls == "none" ? Json() : Json(core.stalls);
+  record["hit_buffer"] = core.hits;
+}
+
+// The counters of a job, and what follows from them. A ray of a frame is a pixel, those of empty tiles too.
+void add_counters(Json& record, const Counts& counts, double rays, const Core& core) {
+  for (const auto& [index, name] : sim::kCounterNames) record[name] = counts[static_cast<std::size_t>(index)];
   const auto count = [&](const char* name) { return record[name].get<double>(); };
-  const double cycles = count("cycles"), rays = double(rendering.pixels.size());
+  const double cycles = count("cycles");
   record["rays_per_cycle"] = rays / cycles;
   record["nodes_per_ray"] = count("nodes") / rays;
   record["tests_per_ray"] = count("tests") / rays;
@@ -60,11 +84,7 @@ void add_counters(Json& record, const sim::Rendering& rendering, const Core& cor
 
 Json rtl_run(const Frame& frame, const Core& core) {
   const auto image = image_of(frame);
-  sim::RtlOptions device;
-  device.variant = {core.lanes, core.contexts, core.tile_log2, core.ports, core.l2_kbytes};
-  device.timing = sim::AxiTiming::named(core.memory);
-  device.timing.reorder = core.stalls != "none";
-  device.stalls = core.stalls;
+  const sim::RtlOptions device = device_of(core);
   sim::RenderOptions options;
   options.hits = core.hits;
   options.mode = core.mode;
@@ -76,25 +96,36 @@ Json rtl_run(const Frame& frame, const Core& core) {
   const sim::RtlRun hits = core.hits ? run : sim::run_rtl(*image, device, options);
 
   Json record = head(frame, "rtl", core.mode);
-  record["lanes"] = core.lanes;
-  record["contexts"] = core.contexts;
-  record["tile"] = 1 << core.tile_log2;
-  record["walk"] = core.z_order ? "z" : "rows";
-  record["ports"] = core.ports;
-  record["l2_kbytes"] = core.l2_kbytes;
-  record["memory"] = device.timing.name;
-  record["stalls"] = core.stalls == "none" ? Json() : Json(core.stalls);
-  record["hit_buffer"] = core.hits;
+  add_core(record, core);
   record["pixels_differ"] = comparison.pixels_differ;
   record["hits_differ"] = sim::compare(hits.rendering, model).hits_differ;
   record["error"] = static_cast<int>(std::max(run.rendering.error, hits.rendering.error));
   record["rules_broken"] = run.violations + hits.violations;
-  add_counters(record, run.rendering, core);
+  add_counters(record, run.rendering.counters, double(run.rendering.pixels.size()), core);
   record["seconds"] = run.seconds;
   record["cycles_per_second"] = run.cycles_per_second();
   if (core.stalls != "none")
     for (unsigned i = 0; i < sim::kChannels; ++i)
       if (run.shares[i].wanted > 0) record["blocked"][sim::kChannelNames[i]] = run.shares[i].share();
+  return record;
+}
+
+Json list_run(const Frame& frame, const Core& core) {
+  const auto image = image_of(frame);
+  const std::vector<ray_record_t> rays = sim::camera_rays(*image);
+  const sim::RtlQuery run = sim::query_rtl(*image, sim::bytes_of(rays), device_of(core), {.mode = core.mode});
+  sim::Answers expected;
+  expected.hits = sim::run_model(*image, {.mode = core.mode}, {}, 1).hits;
+
+  Json record = head(frame, "rtl", core.mode);
+  add_core(record, core);
+  record["pixels_differ"] = 0;   // there are none
+  record["hits_differ"] = sim::compare(run.answers, expected).hits_differ;
+  record["error"] = static_cast<int>(run.answers.error);
+  record["rules_broken"] = run.violations;
+  add_counters(record, run.answers.counters, double(rays.size()), core);
+  record["seconds"] = run.seconds;
+  record["cycles_per_second"] = run.cycles_per_second();
   return record;
 }
 

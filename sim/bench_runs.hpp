@@ -35,6 +35,8 @@ struct Core {
 // A frame on the Verilated core, compared with the model in every pixel and every hit record. Without the hit
 // buffer the cycles are those of a frame without, and the records are compared in a second one.
 Json rtl_run(const Frame& frame, const Core& core);
+// A frame's camera rays as a list, compared with the frame's hits in the model.
+Json list_run(const Frame& frame, const Core& core);
 // The image of a scene: how long its making takes, how large it is.
 Json compile_run(const Frame& frame);
 // A frame of the model against the float64 reference.

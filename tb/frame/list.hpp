@@ -2,20 +2,12 @@
 // What tests of lists of rays share: lists of random rays and of a camera's, and their comparison.
 #pragma once
 #include "../scene/ray_maker.hpp"
-#include "camera/frame_setup.hpp"
-#include "camera/ray_gen.hpp"
+#include "camera_list.hpp"
 #include "frame/frame.hpp"
 
 namespace castray::tb {
 
-// The rays of an image's frame, row by row.
-inline std::vector<ray_record_t> camera_rays(const SceneImage& image) {
-  const camera_t camera = frame_setup(image.frame);
-  std::vector<ray_record_t> rays;
-  for (int y = 0; y < static_cast<int>(camera.height); ++y)
-    for (int x = 0; x < static_cast<int>(camera.width); ++x) rays.push_back(ray_record(camera.eye, ray_gen(camera, x, y)));
-  return rays;
-}
+using sim::camera_rays;
 
 inline bool is_yes(const hit_record_t& record) { return record.prim != static_cast<std::uint64_t>(NoHit); }
 

@@ -2,24 +2,15 @@
 // Lists of rays in the model, through the driver: the camera's rays are the frame's, and what no list is.
 #include <gtest/gtest.h>
 
-#include "camera/frame_setup.hpp"
-#include "camera/ray_gen.hpp"
+#include "camera_list.hpp"
 #include "frame_run.hpp"
-#include "mem/ray_request.hpp"
 #include "model_device.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {
 namespace {
 
-// The rays of an image's frame, row by row.
-std::vector<ray_record_t> camera_rays(const SceneImage& image) {
-  const camera_t camera = frame_setup(image.frame);
-  std::vector<ray_record_t> rays;
-  for (int y = 0; y < static_cast<int>(camera.height); ++y)
-    for (int x = 0; x < static_cast<int>(camera.width); ++x) rays.push_back(ray_record(camera.eye, ray_gen(camera, x, y)));
-  return rays;
-}
+using sim::camera_rays;
 
 TEST(Query, TheCamerasRaysGiveTheFramesHits) {
   const SceneImage image = compile(load_scene("scenes/spheres.json"), 60, 40);
