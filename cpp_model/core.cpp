@@ -29,10 +29,10 @@ pixel_tag_t tag_of(int x, int y) {
 }
 
 // A pixel into the frame and hit buffers.
-void write_pixel(const hit_t& hit, const job_t& job, const Loaded& loaded, const Windows& windows) {
+void write_pixel(const hit_t& hit, const work_t& work, const job_t& job, const Loaded& loaded, const Windows& windows) {
   const std::uint32_t colour = static_cast<std::uint32_t>(colour_of(hit, loaded, windows).colour);
   std::memcpy(&windows.frame[hit.tag.y * loaded.record.stride + hit.tag.x * PixelBytes], &colour, PixelBytes);
-  if (job.want_hits) store_record(&windows.hits[hit_offset(hit.tag, job.width)], hit_record(hit));
+  if (job.want_hits) store_record(&windows.hits[hit_offset(hit.tag, job.width)], hit_record(hit, job.want_work ? work : work_t{}));
 }
 
 TileStart start_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, const Windows& windows) {
@@ -62,7 +62,7 @@ Errors render_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, c
                    counters, [](const cand_t&, const result_t*) {});
     }
     errors += found.error;
-    if (found.error == ErrNone) write_pixel(found.hit, job, loaded, windows);
+    if (found.error == ErrNone) write_pixel(found.hit, found.work, job, loaded, windows);
   });
   return errors;
 }

@@ -37,13 +37,15 @@ TreeHit cast(const ray_t& ray, const job_t& job, const Loaded& loaded, const Win
   };
   TreeHit found;
   if (job.brute) {
-    found.hit = lane(ray, loaded.slots, counters.tests, on_accepted);
+    std::uint64_t tests = 0;
+    found.hit = lane(ray, loaded.slots, tests, on_accepted);
+    found.work.tests = tests;
   } else {
     const Tree tree{.image = windows.image.data(), .header = &loaded.header, .limit = job.steps, .tile = started.nodes};
     found = lane(ray, tree, start_of(started.start, tree.root().first), on_accepted);
-    counters.tests += found.work.tests;
-    counters.nodes += found.work.nodes;
   }
+  counters.tests += found.work.tests;
+  counters.nodes += found.work.nodes;
   ++counters.rays;
   counters.hits += found.hit.found;
   return found;

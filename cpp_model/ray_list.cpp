@@ -17,7 +17,7 @@ error_t answer(std::uint64_t number, const job_t& job, const Loaded& loaded, con
   if (!ray_flags_ok(record)) return ErrRay;
   const ray_t ray = slab_setup(ray_setup(ray_request(record, number)));
   const TreeHit found = cast(ray, job, loaded, windows, {}, counters, [](const cand_t&, const result_t*) {});
-  if (found.error == ErrNone) store_record(&windows.hits[number * HitBytes], hit_record(found.hit));
+  if (found.error == ErrNone) store_record(&windows.hits[number * HitBytes], hit_record(found.hit, job.want_work ? found.work : work_t{}));
   return found.error;
 }
 

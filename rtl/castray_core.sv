@@ -236,7 +236,7 @@ module castray_core
   lane_events_t     lane_events [Lanes];
   logic             batch_event, test_stall, fetch_stall, attr_hit, attr_miss;
   logic             hit_valid, hit_ready, traversal_idle, coloured, shading_idle;
-  hit_t             hit;
+  cast_t            cast;
 
   traversal #(.Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2), .Slots(Slots)) u_traversal (
     .clk_i, .rst_ni(datapath_rst_n),
@@ -249,7 +249,7 @@ module castray_core
     .store_node_i(store_node),
     .in_valid_i(ray_valid), .in_ready_o(ray_ready), .in_i(ray),
     .miss_valid_i(miss_valid), .miss_ready_o(miss_ready), .miss_i(miss),
-    .out_valid_o(hit_valid), .out_ready_i(hit_ready), .out_o(hit),
+    .out_valid_o(hit_valid), .out_ready_i(hit_ready), .out_o(cast),
     .read_valid_o(read_valid[ReadPrimitive]), .read_ready_i(read_ready[ReadPrimitive]),
     .read_o(read_req[ReadPrimitive]), .rsp_valid_i(rsp_valid[ReadPrimitive]), .rsp_i(rsp[ReadPrimitive]),
     .line_valid_o(cache_valid[2*Lanes-1:0]), .line_ready_i(cache_ready[2*Lanes-1:0]),
@@ -266,7 +266,7 @@ module castray_core
     .attributes_i(job.image + addr_t'(header.attributes.offset)),
     .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile), .tile_slot_o(tile_slot),
     .fill_valid_i(back_valid), .fill_ready_o(back_ready), .fill_slot_i(back_slot),
-    .in_valid_i(hit_valid), .in_ready_o(hit_ready), .in_i(hit),
+    .in_valid_i(hit_valid), .in_ready_o(hit_ready), .in_i(cast),
     .read_valid_o(read_valid[ReadAttribute]), .read_ready_i(read_ready[ReadAttribute]),
     .read_o(read_req[ReadAttribute]), .rsp_valid_i(rsp_valid[ReadAttribute]), .rsp_i(rsp[ReadAttribute]),
     .pixel_valid_o(write_valid[WritePixel]), .pixel_ready_i(write_ready[WritePixel]),

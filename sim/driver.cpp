@@ -77,7 +77,7 @@ void Driver::set_arguments(const RenderOptions& options) {
   set(RegFrameBytes, static_cast<std::uint32_t>(frame_.bytes));
   set(RegHitsBytes, options.hits ? static_cast<std::uint32_t>(hits_.bytes) : 0);
   set(RegFrameSize, pair(static_cast<int>(record_.width), static_cast<int>(record_.height)));
-  set(RegOptions, (options.hits ? 1u << OptionHits : 0) | (options.z_order ? 1u << OptionZOrder : 0) |
+  set(RegOptions, (options.hits ? 1u << OptionHits : 0) | (options.work ? 1u << OptionWork : 0) | (options.z_order ? 1u << OptionZOrder : 0) |
                       (options.mode == Mode::kBrute ? 1u << OptionBrute : 0) | (options.mode == Mode::kBvhRoot ? 1u << OptionRoot : 0));
   const PixelWindow window = options.window.value_or(PixelWindow{});
   set(RegWindowMin, pair(window.x0, window.y0));
@@ -91,7 +91,7 @@ void Driver::set_list_arguments(const QueryOptions& options) {
   set(RegRayCount, static_cast<std::uint32_t>(rays_.bytes / RayBytes));
   set_pointer(RegHits, answers_.address);
   set(RegHitsBytes, static_cast<std::uint32_t>(answers_.bytes));
-  set(RegOptions, 1u << OptionList | (options.mode == Mode::kBrute ? 1u << OptionBrute : 0));
+  set(RegOptions, 1u << OptionList | (options.work ? 1u << OptionWork : 0) | (options.mode == Mode::kBrute ? 1u << OptionBrute : 0));
 }
 
 void Driver::go() {

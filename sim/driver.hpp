@@ -32,6 +32,7 @@ inline constexpr std::array<const char*, 3> kModeNames{"bvh", "bvh_root", "brute
 
 struct RenderOptions {
   bool hits = true;
+  bool work = false;                  // the hit records hold the nodes and tests of each ray
   bool z_order = false;
   Mode mode = Mode::kBvh;
   std::uint32_t steps = 0;            // nodes that a ray may visit; 0: no limit
@@ -55,6 +56,7 @@ struct Rendering {
 // A list of rays finds its hits in the hierarchy from the root (kBvh: the same) or by brute force.
 struct QueryOptions {
   Mode mode = Mode::kBvhRoot;
+  bool work = false;         // as of RenderOptions
   std::uint32_t steps = 0;   // nodes that a ray may visit; 0: no limit
 };
 

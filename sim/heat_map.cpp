@@ -54,7 +54,8 @@ void write_heat_map(const std::filesystem::path& file, int width, int height, st
               colours(bar, kBarHeight, [&](int x, int) { return static_cast<float>(x) / static_cast<float>(bar - 1); }));
   const float white[] = {1, 1, 1};
   const auto text = [&](int x, const std::string& words, Algo::TextAlignX align) {
-    return Algo::render_text(sheet, x, down + kBarHeight + 3 * kMargin, words, kTextHeight, kFont, white, align, Algo::TextAlignY::Top);
+    return Algo::render_text(sheet, x, down + kBarHeight + 2 * kMargin + kTextHeight, words, kTextHeight, kFont, white, align,
+                              Algo::TextAlignY::Baseline);
   };
   if (!text(kMargin, "0", Algo::TextAlignX::Left) ||
       !text(across / 2, caption + ", mean " + mean_of(values), Algo::TextAlignX::Center) ||

@@ -45,7 +45,7 @@ template <class Read> job_t job_of_registers(Read&& read) {
 
   const bool frame_bad = ((size | min | max) & ~(extent | extent << 16)) != 0 || pointer(RegFrame) > address;
   const bool list_bad = word(RegRayCount) > most_rays || pointer(RegRays) > address;
-  job.illegal = (job.is_list ? list_bad : frame_bad) || options >> NumOptions != 0 || job.want_work || steps > most_steps ||
+  job.illegal = (job.is_list ? list_bad : frame_bad) || options >> NumOptions != 0 || (job.want_work && !job.want_hits) || steps > most_steps ||
                 pointer(RegImage) > address || (job.want_hits && pointer(RegHits) > address);
   return job;
 }

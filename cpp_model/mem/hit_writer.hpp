@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors rtl/mem/hit_writer.sv: a hit as its record of the hit buffer, and where that lies.
+// Mirrors rtl/mem/hit_writer.sv: a hit as its record of the hit buffer, with what was done for it where that is
+// asked for, and where it lies.
 #pragma once
 #include "fixed.hpp"
 
 namespace castray {
 
-inline hit_record_t hit_record(const hit_t& hit) {
+inline hit_record_t hit_record(const hit_t& hit, const work_t& work = {}) {
   hit_record_t record;
   const bool whole = hit.found && !hit.any_hit;   // where it was hit is told
   record.t = whole ? hit.t : hit.found ? 0 : TMax;
@@ -13,6 +14,8 @@ inline hit_record_t hit_record(const hit_t& hit) {
   record.v = whole ? hit.v : 0;
   record.prim = whole ? hit.number : hit.found ? AnyHit : NoHit;
   record.instance_id = hit.found ? 0 : NoHit;
+  record.nodes = work.nodes;
+  record.tests = work.tests;
   return record;
 }
 

@@ -177,7 +177,7 @@ module axi_lite_regs
       brute:       args.options[OptionBrute],
       from_root:   args.options[OptionRoot],
       steps:       (args.steps == '0) ? '1 : steps_t'(args.steps),
-      illegal:     (is_list ? list_bad : frame_bad) || (args.options >> NumOptions) != '0 || args.options[OptionWork] ||
+      illegal:     (is_list ? list_bad : frame_bad) || (args.options >> NumOptions) != '0 || (args.options[OptionWork] && !want_hits) ||
                    (args.steps >> $bits(steps_t)) != '0 || args.image[63:AddrW] != '0 ||
                    (want_hits && args.hits[63:AddrW] != '0)
     };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the record of each ray, hit or miss, to the hit buffer:
 //   32 bytes at base + 32 (y width + x);  a miss: t = TMax, u = v = 0, numbers NoHit;
-//   a hit of a ray that asked for any: t = u = v = 0, number AnyHit
+//   a hit of a ray that asked for any: t = u = v = 0, number AnyHit;
+//   and the ray's nodes and tests where want_work_i asks for them
 //   s0  row = y width        12x13, one DSP
 //   s1  index = row + x
 //   s2  address
 // The largest width makes of a ray of a list the pixel that its number stands for.
-// One record a cycle, in order, latency 3. base_i (a multiple of 32) and width_i stand still.
+// One record a cycle, in order, latency 3. base_i (a multiple of 32), width_i and want_work_i
+// stand still.
 // Model: cpp_model/mem/hit_writer.hpp, equal bit for bit.
 module hit_writer
   import castray_cfg_pkg::*;
@@ -18,10 +20,11 @@ module hit_writer
 
   input  addr_t       base_i,
   input  extent_t     width_i,
+  input  logic        want_work_i,   // else the records say zero of it
 
   input  logic        in_valid_i,
   output logic        in_ready_o,
-  input  hit_t        in_i,
+  input  cast_t       in_i,
 
   output logic        out_valid_o,
   input  logic        out_ready_i,
@@ -34,6 +37,7 @@ module hit_writer
 
   // What a record holds of a hit.
   typedef struct packed {
+    work_t work;
     logic  found;
     logic  any_hit;
     prim_t number;
@@ -55,8 +59,8 @@ module hit_writer
     whole = hit.found && !hit.any_hit;
     return '{
       reserved:    '0,
-      tests:       '0,
-      nodes:       '0,
+      tests:       32'(hit.work.tests),
+      nodes:       32'(hit.work.nodes),
       instance_id: hit.found ? '0 : NoHit,
       prim:        whole ? 32'(hit.number) : hit.found ? AnyHit : NoHit,
       v:           whole ? 32'(hit.v) : '0,
@@ -77,15 +81,19 @@ module hit_writer
     .take_i(in_valid_i && in_ready_o), .give_i(out_valid_o && out_ready_i), .available_o(), .idle_o
   );
 
+  hit_t hit;
+  assign hit = in_i.hit;
+
   index_t row_q, index_q;
   pixel_t x_q;
   addr_t  addr_q;
   kept_t  kept_q [Stages];
   always_ff @(posedge clk_i) begin
     if (load[0]) begin
-      row_q     <= row_start(in_i.tag.y, width_i);
-      x_q       <= in_i.tag.x;
-      kept_q[0] <= '{found: in_i.found, any_hit: in_i.any_hit, number: in_i.number, t: in_i.t, u: in_i.u, v: in_i.v};
+      row_q     <= row_start(hit.tag.y, width_i);
+      x_q       <= hit.tag.x;
+      kept_q[0] <= '{work: want_work_i ? in_i.work : '0, found: hit.found, any_hit: hit.any_hit, number: hit.number,
+                     t: hit.t, u: hit.u, v: hit.v};
     end
     if (load[1]) index_q <= row_q + index_t'(x_q);
     if (load[2]) addr_q <= place(base_i, index_q);

@@ -282,6 +282,12 @@ package castray_pkg;
     logic       neg;
   } hit_t;
 
+  // A ray's hit, and what was done for it.
+  typedef struct packed {
+    work_t work;
+    hit_t  hit;
+  } cast_t;
+
   // ---- Shading ----
   typedef struct packed { logic [7:0] b, g, r; } rgb_t;
 

@@ -79,7 +79,7 @@ package castray_reg_pkg;
   localparam int unsigned OptionZOrder = 1;      // walk the tiles along a Z curve
   localparam int unsigned OptionBrute  = 2;      // every ray against every primitive, without the hierarchy
   localparam int unsigned OptionRoot   = 3;      // every ray starts at the root, without tile_start
-  localparam int unsigned OptionWork   = 4;      // reserved: the records hold the nodes and tests of each ray
+  localparam int unsigned OptionWork   = 4;      // the hit records hold the nodes and tests of each ray
   localparam int unsigned OptionList   = 5;      // a list of rays, no frame
   localparam int unsigned NumOptions   = 6;      // from bit 0 up
 endpackage

@@ -39,7 +39,7 @@ module shading
 
   input  logic          in_valid_i,
   output logic          in_ready_o,
-  input  hit_t          in_i,
+  input  cast_t         in_i,
 
   output logic          read_valid_o,   // attributes
   input  logic          read_ready_i,
@@ -62,12 +62,14 @@ module shading
 );
   // ---- In ----
   logic hit_valid, hit_ready, written_valid, written_ready, colour_valid, colour_ready;
-  hit_t hit;
+  cast_t cast;
+  hit_t  hit;
+  assign hit = cast.hit;
 
-  pipe_cut #(.data_t(hit_t)) u_in (
+  pipe_cut #(.data_t(cast_t)) u_in (
     .clk_i, .rst_ni,
     .valid_i(in_valid_i), .ready_o(in_ready_o), .data_i(in_i),
-    .valid_o(hit_valid), .ready_i(hit_ready), .data_o(hit)
+    .valid_o(hit_valid), .ready_i(hit_ready), .data_o(cast)
   );
 
   stream_fork #(.N(2)) u_fork (
@@ -82,7 +84,8 @@ module shading
 
   hit_writer u_hit_writer (
     .clk_i, .rst_ni, .base_i(job_i.hits), .width_i(job_i.is_list ? extent_t'(MaxFrameSize) : job_i.width),
-    .in_valid_i(written_valid && job_i.want_hits), .in_ready_o(writer_ready), .in_i(hit),
+    .want_work_i(job_i.want_work),
+    .in_valid_i(written_valid && job_i.want_hits), .in_ready_o(writer_ready), .in_i(cast),
     .out_valid_o(record_valid_o), .out_ready_i(record_ready_i), .out_o(record_o),
     .idle_o(records_idle)
   );

@@ -54,7 +54,7 @@ module traversal
 
   output logic                out_valid_o,
   input  logic                out_ready_i,
-  output hit_t                out_o,
+  output cast_t               out_o,
 
   output logic                read_valid_o,   // primitives
   input  logic                read_ready_i,
@@ -147,7 +147,7 @@ module traversal
 
   // ---- Lanes ----
   logic [Lanes-1:0] hit_valid, hit_ready, found;
-  hit_t             hit [Lanes+1];
+  cast_t            cast [Lanes+1];
   error_t           lane_fault [Lanes];
 
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
@@ -173,7 +173,7 @@ module traversal
       .tile_write_i(store_valid_i), .tile_index_i({store_slot_i[SlotW-1:0], store_second_i}),
       .tile_node_i(store_node_i),
       .emit_i(emit || !brute_i),
-      .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(hit[i]), .work_o(), .fault_o(lane_fault[i]),
+      .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(cast[i].hit), .work_o(cast[i].work), .fault_o(lane_fault[i]),
       .node_req_valid_o(line_valid_o[2*i]), .node_req_ready_i(line_ready_i[2*i]), .node_req_o(line_o[2*i]),
       .node_fill_valid_i(fill_valid_i[2*i]), .node_fill_ready_o(fill_ready_o[2*i]), .node_fill_i(fill_i),
       .leaf_req_valid_o(line_valid_o[2*i+1]), .leaf_req_ready_i(line_ready_i[2*i+1]), .leaf_req_o(line_o[2*i+1]),
@@ -181,7 +181,7 @@ module traversal
       .used_o(used[i]), .full_o(full[i]), .empty_o(lane_empty[i]), .quiet_o(quiet[i]),
       .events_o(events_o[i])
     );
-    assign found[i] = hit[i].found;
+    assign found[i] = cast[i].hit.found;
   end
   assign ray_o  = ray_valid & ray_ready;
   assign hit_o  = found & hit_valid & hit_ready;
@@ -189,13 +189,13 @@ module traversal
 
   // ---- Out ----
   always_comb begin
-    hit[Lanes]     = '0;
-    hit[Lanes].tag = miss_i;
-    hit[Lanes].t   = TMax;
+    cast[Lanes]         = '0;
+    cast[Lanes].hit.tag = miss_i;
+    cast[Lanes].hit.t   = TMax;
   end
-  stream_arb #(.data_t(hit_t), .N(Lanes + 1)) u_merge (
+  stream_arb #(.data_t(cast_t), .N(Lanes + 1)) u_merge (
     .clk_i, .rst_ni,
-    .valid_i({miss_valid_i, hit_valid}), .ready_o({miss_ready_o, hit_ready}), .data_i(hit),
+    .valid_i({miss_valid_i, hit_valid}), .ready_o({miss_ready_o, hit_ready}), .data_i(cast),
     .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o), .index_o()
   );
 

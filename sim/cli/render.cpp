@@ -8,6 +8,7 @@
 #include "castray_commit.hpp"
 #include "comparison.hpp"
 #include "frame_run.hpp"
+#include "heat_map.hpp"
 #include "outputs.hpp"
 #include "picture.hpp"
 #include "progress_bar.hpp"
@@ -29,12 +30,14 @@ struct Arguments {
   std::string engine = "rtl";
   std::string output;
   std::string aov, json, frame, hits, save_scene;
+  std::string nodes_map, tests_map;
   std::string trace, trace_window;
   bool check = false;
   bool float64 = false;
   bool z_order = false;
 
   bool on_device() const { return engine == "rtl" || engine == "model"; }
+  bool work() const { return !nodes_map.empty() || !tests_map.empty(); }
 };
 
 class Render {
@@ -43,8 +46,8 @@ class Render {
 
   ExitCode run() {
     if (args_.check && args_.engine != "rtl") throw InputError("--check: only --engine rtl is compared with the model");
-    if (!args_.on_device() && (!args_.hits.empty() || !args_.frame.empty() || args_.float64))
-      throw InputError("--hits, --frame, --against-float64: only with --engine rtl or model");
+    if (!args_.on_device() && (!args_.hits.empty() || !args_.frame.empty() || args_.float64 || args_.work()))
+      throw InputError("--hits, --frame, --nodes-map, --tests-map, --against-float64: only with --engine rtl or model");
     if (!args_.trace_window.empty() && args_.trace.empty()) throw InputError("--trace-window: needs --trace FILE");
     if (!args_.trace.empty() && args_.trace_window.empty() && !args_.check)
       throw InputError("--trace: needs --trace-window, or --check, whose first pixel that differs is traced");
@@ -52,7 +55,8 @@ class Render {
     if (output().extension().empty()) throw InputError("--output " + output().string() + ": the suffix says which format");
     check_outputs({{"--output", output(), sim::check_picture}, {"--aov", args_.aov, sim::check_aov},
                    {"--json", args_.json, sim::check_writable}, {"--frame", args_.frame, sim::check_writable},
-                   {"--hits", args_.hits, sim::check_writable}, {"--save-scene", args_.save_scene, sim::check_writable},
+                   {"--hits", args_.hits, sim::check_writable}, {"--nodes-map", args_.nodes_map, sim::check_picture},
+                   {"--tests-map", args_.tests_map, sim::check_picture}, {"--save-scene", args_.save_scene, sim::check_writable},
                    {"--trace", args_.trace, sim::check_writable}}, scene_);
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
     report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", args_.core.mode},
@@ -79,7 +83,7 @@ class Render {
   }
 
   sim::RenderOptions options(bool hits, std::optional<sim::PixelWindow> window = {}) const {
-    return {.hits = hits, .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
+    return {.hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
   }
 
   sim::Progress progress(ProgressBar& bar) const {
@@ -105,7 +109,22 @@ class Render {
     if (!args_.aov.empty()) sim::write_aov(args_.aov, rendering, image_, metadata()), wrote(args_.aov);
     if (!args_.frame.empty()) write_raw(args_.frame, rendering.pixels.data(), rendering.pixels.size() * PixelBytes);
     if (!args_.hits.empty()) write_raw(args_.hits, rendering.hits.data(), rendering.hits.size());
+    write_maps(rendering);
     return code;
+  }
+
+  void write_maps(const sim::Rendering& rendering) const {
+    for (const bool tests : {false, true}) {
+      const std::string& file = tests ? args_.tests_map : args_.nodes_map;
+      if (file.empty()) continue;
+      std::vector<std::uint32_t> values;
+      for (std::size_t i = 0; i < rendering.pixels.size(); ++i) {
+        const hit_record_t hit = rendering.hit(i);
+        values.push_back(static_cast<std::uint32_t>(tests ? hit.tests : hit.nodes));
+      }
+      sim::write_heat_map(file, rendering.width, rendering.height, values, tests ? "tests a pixel" : "nodes a pixel", metadata());
+      wrote(file);
+    }
   }
 
   sim::Rendering on_rtl(ExitCode& code) {
@@ -113,7 +132,7 @@ class Render {
     device.trace_file = args_.trace_window.empty() ? "" : args_.trace;
     if (!args_.trace_window.empty()) set_window(device);
     // Without a use for the hit records the core is not asked for them: they cost it cycles.
-    const bool hits = args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty();
+    const bool hits = args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty() || args_.work();
     ProgressBar bar("rendering");
     const sim::RtlRun run = context_.run_rtl(image_, device, options(hits), progress(bar));
     report_.update(report_of(run, run.rendering.counters, device));
@@ -235,6 +254,8 @@ void add_render(CLI::App& app, Context& context) {
   command->add_option("--json", args->json, "a report");
   command->add_option("--frame", args->frame, "the raw words of the frame buffer");
   command->add_option("--hits", args->hits, "the raw hit records, 32 bytes a pixel");
+  command->add_option("--nodes-map", args->nodes_map, "a heat map of the nodes that each pixel's ray visited");
+  command->add_option("--tests-map", args->tests_map, "the same of its tests of primitives");
   command->add_option("--save-scene", args->save_scene, "the scene as JSON, all defaults filled in");
   command->add_flag("--check", args->check, "compare every pixel and every raw hit record with the model");
   command->add_flag("--against-float64", args->float64, "count the pixels that differ from the float64 reference");

@@ -180,6 +180,11 @@ TEST_F(AxiLiteRegsField, BitsOutsideAFieldAreIllegal) {
   }
 }
 
+TEST_F(AxiLiteRegsField, WorkIsToldInHitRecordsOnly) {
+  for (const std::int64_t other : {OptionHits, OptionList})
+    EXPECT_FALSE(illegal(RegOptions, 1u << OptionWork | 1u << other)) << "option " << other;
+}
+
 TEST_F(AxiLiteRegsField, TheHitPointerIsNotLookedAtWithoutHits) {
   write(RegHits + 4, 0xffffffff);
   write(RegControl, kStart);

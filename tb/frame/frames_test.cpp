@@ -44,6 +44,24 @@ TEST_P(Patterns, TeapotInTheHierarchyMatchesTheModel) {
   for (const bool hits : {true, false}) expect_frame(core, image, {.hits = hits});
 }
 
+// The records hold the nodes and tests of each ray, and these add up to the frame's counters.
+TEST(Frames, TellTheWorkOfEachRay) {
+  Core core(core_of(3, "uniform"));
+  const SceneImage image = compile(scene_of("spheres"), 40, 30);
+  core.driver.load(image);
+  for (const sim::Mode mode : {sim::Mode::kBrute, sim::Mode::kBvh, sim::Mode::kBvhRoot}) {
+    const sim::RenderOptions options{.work = true, .mode = mode};
+    const sim::Rendering rtl = core.driver.render(options);
+    EXPECT_TRUE(equal(rtl, sim::run_model(image, options)));
+    std::uint64_t nodes = 0, tests = 0;
+    for (std::size_t i = 0; i < rtl.pixels.size(); ++i) nodes += rtl.hit(i).nodes, tests += rtl.hit(i).tests;
+    EXPECT_EQ(nodes, rtl.counters[CntNodes]);
+    EXPECT_EQ(tests, rtl.counters[CntTests]);
+    EXPECT_GT(tests, 1000u);
+    EXPECT_EQ(nodes > 1000, mode != sim::Mode::kBrute);
+  }
+}
+
 // Where nothing is asked for but the picture: what the hierarchy sees is what brute force sees.
 TEST(Frames, HierarchyEqualsBruteForce) {
   Core core(core_of(3));

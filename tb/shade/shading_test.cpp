@@ -38,7 +38,7 @@ class Shading : public testing::TestWithParam<Stalls> {
     dut.reset();  // as between jobs: the attributes are others
     Stimulus stimulus(static_cast<unsigned>(width));
     job_t job;
-    job.frame = kFrame, job.hits = kHits, job.want_hits = want_hits;
+    job.frame = kFrame, job.hits = kHits, job.want_hits = job.want_work = want_hits;
     job.width = job.x1 = width, job.height = job.y1 = height;
     frame_record_t record;
     record.stride = (width * PixelBytes + BufferAlign - 1) / BufferAlign * BufferAlign;
@@ -61,7 +61,7 @@ class Shading : public testing::TestWithParam<Stalls> {
 
     Gate ask(stalls.source, stalls.burst, 1), source(stalls.source, stalls.burst, 2), bus(stalls.sink, stalls.burst, 3);
     std::mt19937 rng(7);
-    std::vector<hit_t> pool;   // of tiles that were granted
+    std::vector<cast_t> pool;   // of tiles that were granted
     std::deque<read_req_t> reads;
     int beat = 0;
     std::size_t asked = 0, given = 0;
@@ -97,11 +97,11 @@ class Shading : public testing::TestWithParam<Stalls> {
       if (dut->record_valid_o && dut->record_ready_i) ASSERT_NO_FATAL_FAILURE(hits.write(get_port<write_req_t>(dut->record_o)));
       const bool took = dut->in_valid_i && dut->in_ready_o, granted = dut->tile_valid_i && dut->tile_ready_o;
       if (took) {
-        const hit_t& hit = offered_;
+        const hit_t& hit = offered_.hit;
         const shaded_t shaded = hit.found ? shade(hit, attrs[hit.number], eye, paint) : background(hit, paint);
         const auto colour = static_cast<std::uint32_t>(shaded.colour);
         std::memcpy(&want_frame.bytes[hit.tag.y * record.stride + hit.tag.x * PixelBytes], &colour, PixelBytes);
-        if (want_hits) store_record(&want_records.bytes[hit_offset(hit.tag, width)], hit_record(hit));
+        if (want_hits) store_record(&want_records.bytes[hit_offset(hit.tag, width)], hit_record(hit, offered_.work));
         ++given;
       }
       if (granted) {
@@ -111,7 +111,7 @@ class Shading : public testing::TestWithParam<Stalls> {
           hit.tag = tag;
           hit.found = stimulus.bits(2) != 0;
           hit.number = stimulus.bits(16) % kAttributes;
-          pool.push_back(hit);
+          pool.push_back({.work = {.tests = stimulus.bits(20), .nodes = stimulus.bits(20)}, .hit = hit});
         });
         ++asked;
       }
@@ -128,7 +128,7 @@ class Shading : public testing::TestWithParam<Stalls> {
   }
 
   Dut<Vshading> dut;
-  hit_t offered_;
+  cast_t offered_;
 };
 INSTANTIATE_TEST_SUITE_P(Stalls, Shading, testing::ValuesIn(kStallPatterns));
 
@@ -143,7 +143,7 @@ TEST_P(Shading, WritesOfAListItsRecordsOnly) {
   constexpr std::size_t kRays = 400;
   Stimulus stimulus(3);
   job_t job;
-  job.hits = kHits, job.is_list = job.want_hits = 1;
+  job.hits = kHits, job.is_list = job.want_hits = job.want_work = 1;
   job.width = job.height = 7;   // are not looked at
   dut->tile_valid_i = dut->in_valid_i = dut->rsp_valid_i = dut->fill_valid_i = 0;
   dut.reset();
@@ -155,10 +155,11 @@ TEST_P(Shading, WritesOfAListItsRecordsOnly) {
   for (long cycle = 0; cycle < 20000 && (given < kRays || !dut->idle_o); ++cycle) {
     if (!dut->in_valid_i && given < kRays && source.open()) {
       const std::uint64_t number = given * 37 % 8192;
-      offered_ = stimulus.hit();
-      offered_.tag = {.x = number % MaxFrameSize, .y = number / MaxFrameSize};
-      offered_.found = stimulus.bits(2) != 0, offered_.any_hit = stimulus.bits(1);
-      store_record(&want.bytes[number * HitBytes], hit_record(offered_));
+      hit_t hit = stimulus.hit();
+      hit.tag = {.x = number % MaxFrameSize, .y = number / MaxFrameSize};
+      hit.found = stimulus.bits(2) != 0, hit.any_hit = stimulus.bits(1);
+      offered_ = {.work = {.tests = stimulus.bits(20), .nodes = stimulus.bits(20)}, .hit = hit};
+      store_record(&want.bytes[number * HitBytes], hit_record(hit, offered_.work));
       dut->in_valid_i = 1;
       set_port(dut->in_i, offered_);
     }

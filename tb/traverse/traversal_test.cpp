@@ -130,7 +130,7 @@ class Traversal : public testing::TestWithParam<Stalls> {
     dut_.settle();
     ASSERT_EQ(dut_->fault_o, ErrNone);
     ASSERT_FALSE(dut_->idle_o && rays_out_ != 0) << "idle with " << rays_out_ << " rays under way";
-    if (dut_->out_valid_o && dut_->out_ready_i) ASSERT_NO_FATAL_FAILURE(take(get_port<hit_t>(dut_->out_o)));
+    if (dut_->out_valid_o && dut_->out_ready_i) ASSERT_NO_FATAL_FAILURE(take(get_port<cast_t>(dut_->out_o).hit));
     for (int lane = 0; lane < kLanes; ++lane) left_[lane] += dut_->left_o >> lane & 1, hits_ += dut_->hit_o >> lane & 1;
     for (int i = 0; i < kClients; ++i)
       memory_[static_cast<std::size_t>(i)].tick(dut_->line_valid_o >> i & 1, get_port<line_req_t>(dut_->line_o[i]), i == fill && dut_->fill_ready_o >> i & 1);
