@@ -51,17 +51,18 @@ module node_pipe
   logic             legal;
   assign box   = {in_node_i.box3, in_node_i.box2, in_node_i.box1, in_node_i.box0};
   assign words = {in_node_i.ref3, in_node_i.ref2, in_node_i.ref1, in_node_i.ref0};
+  for (genvar i = 0; i < 4; i++) begin : g_target
+    assign target[i] = ref_t'(words[i]);
+  end
   always_comb begin
     logic [3:0] is_none;
     is_none = '0;
-    target  = '0;
     exists  = '0;
     legal   = 1'b0;
     if (in_valid_i) begin
       legal = in_node_i.exp_x <= plane_exp_t'(MaxPlaneExp) && in_node_i.exp_y <= plane_exp_t'(MaxPlaneExp)
               && in_node_i.exp_z <= plane_exp_t'(MaxPlaneExp);
       for (int unsigned i = 0; i < 4; i++) begin
-        target[i]  = ref_t'(words[i]);
         exists[i]  = is_ref(words[i]);
         is_none[i] = words[i] == '0;
         if (!exists[i] && !is_none[i]) legal = 1'b0;

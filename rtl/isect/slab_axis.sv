@@ -111,12 +111,13 @@ module slab_axis
   end
 
   // ---- s3 ----
-  slab_t from;
-  assign from = slab_t'(signed'({BaseW{minus2_q}} ^ base(product2_q, right2_q)));
+  function automatic slab_t from();
+    return slab_t'(signed'({BaseW{minus2_q}} ^ base(product2_q, right2_q)));
+  endfunction
   always_ff @(posedge clk_i) begin
     if (en_i[2]) begin
-      low_o   <= before2_q ? from - slab_t'({1'b0, slack2_q}) : from;
-      high_o  <= from + (before2_q ? '0 : slab_t'({1'b0, slack2_q})) + 1'b1;
+      low_o   <= before2_q ? from() - slab_t'({1'b0, slack2_q}) : from();
+      high_o  <= from() + (before2_q ? '0 : slab_t'({1'b0, slack2_q})) + 1'b1;
       minus_o <= minus2_q;
       left3_q <= left2_q;
     end

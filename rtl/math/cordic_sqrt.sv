@@ -71,9 +71,10 @@ module cordic_sqrt
   endfunction
 
   logic [Steps+1:0] valid_q;
-  logic             move;
+  logic             move, work;   // work: some stage takes a root
 
   assign move       = !valid_q[Steps+1] || out_ready_i;
+  assign work       = move && valid_q[Steps:0] != '0;
   assign in_ready_o = move;
 
   always_ff @(posedge clk_i) begin
@@ -93,9 +94,11 @@ module cordic_sqrt
       end
     end else begin : g_step
       always_ff @(posedge clk_i) begin
-        if (move && valid_q[k-1]) begin
-          turn_q <= step(g_turn[k-1].turn_q, (k <= CordicRepeat) ? k : k - 1);
-          tag_q  <= g_turn[k-1].tag_q;
+        if (work) begin
+          if (valid_q[k-1]) begin
+            turn_q <= step(g_turn[k-1].turn_q, (k <= CordicRepeat) ? k : k - 1);
+            tag_q  <= g_turn[k-1].tag_q;
+          end
         end
       end
     end

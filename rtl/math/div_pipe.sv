@@ -65,9 +65,10 @@ module div_pipe #(
   endfunction
 
   logic [Stages:0] valid_q, offered;  // what a stage holds, and is offered
-  logic            move;
+  logic            move, work;        // work: some stage takes a division
 
   assign offered    = {valid_q[Stages-1:0], in_valid_i};
+  assign work       = move && offered != '0;
   assign move       = !valid_q[Stages] || out_ready_i;
   assign in_ready_o = move;
 
@@ -97,17 +98,21 @@ module div_pipe #(
     if (i < Stages - 1) begin : g_den
       op_t den_q;
       always_ff @(posedge clk_i) begin
-        if (move && offered[i]) begin
-          step_q <= divide(from, den_in, i * BitsPerStage);
-          tag_q  <= tag_in;
-          den_q  <= den_in;
+        if (work) begin
+          if (offered[i]) begin
+            step_q <= divide(from, den_in, i * BitsPerStage);
+            tag_q  <= tag_in;
+            den_q  <= den_in;
+          end
         end
       end
     end else begin : g_last
       always_ff @(posedge clk_i) begin
-        if (move && offered[i]) begin
-          step_q <= divide(from, den_in, i * BitsPerStage);
-          tag_q  <= tag_in;
+        if (work) begin
+          if (offered[i]) begin
+            step_q <= divide(from, den_in, i * BitsPerStage);
+            tag_q  <= tag_in;
+          end
         end
       end
     end

@@ -105,7 +105,10 @@ module line_memory
     .valid_o(give_valid), .ready_i(give_ready), .data_o(owner), .index_o(bank)
   );
   assign give_ready = fill_ready_i[owner.client];
-  assign fill_o     = '{miss: owner.miss, data: out_data[bank]};
+  always_comb begin   // nothing moves here while there is no line
+    fill_o = '0;
+    if (Ports == 1 || give_valid) fill_o = '{miss: owner.miss, data: out_data[bank]};
+  end
   always_comb begin
     fill_valid_o               = '0;
     fill_valid_o[owner.client] = give_valid;

@@ -101,7 +101,9 @@ module line_tags #(
   always_comb begin
     logic [WayW:0] n;
     n = 1;
-    for (int unsigned l = 0; l < WayW; l++) n = {n[WayW-1:0], points[n[WayW-1:0]]};
+    if (fill_i) begin
+      for (int unsigned l = 0; l < WayW; l++) n = {n[WayW-1:0], points[n[WayW-1:0]]};
+    end
     fill_way_o = n[WayW-1:0];
   end
 endmodule

@@ -42,8 +42,10 @@ module line_wake #(
 
   always_comb begin
     busy_o = 1'b0;
-    for (int unsigned i = 0; i < Depth; i++)
-      busy_o |= valid_q[i] && line_q[i].place[WayW +: SetW] == set_i;
+    if (valid_q[0]) begin
+      for (int unsigned i = 0; i < Depth; i++)
+        busy_o |= valid_q[i] && line_q[i].place[WayW +: SetW] == set_i;
+    end
   end
 
   // A line enters at the first place that is free after this cycle.
@@ -51,7 +53,7 @@ module line_wake #(
   assign kept = finish ? valid_q >> 1 : valid_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else valid_q <= push_i ? Depth'({kept, 1'b1}) : kept;
+    else if (push_i || finish) valid_q <= push_i ? Depth'({kept, 1'b1}) : kept;
   end
   always_ff @(posedge clk_i) begin
     if (finish) begin

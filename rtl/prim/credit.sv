@@ -14,19 +14,19 @@ module credit #(
   output logic             idle_o
 );
   localparam int unsigned CntW = $clog2(Limit + Gives + 1);
-  logic [CntW-1:0] used_q, used_d;
+  logic [CntW-1:0] used_q;
 
   assign available_o = used_q < CntW'(Limit);
   assign idle_o      = used_q == '0;
 
-  always_comb begin
-    used_d = used_q + CntW'(take_i);
-    for (int unsigned i = 0; i < Gives; i++) used_d = used_d - CntW'(give_i[i]);
-  end
+  function automatic logic [CntW-1:0] counted(logic [CntW-1:0] used, logic take, logic [Gives-1:0] give);
+    counted = used + CntW'(take);
+    for (int unsigned i = 0; i < Gives; i++) counted = counted - CntW'(give[i]);
+  endfunction
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) used_q <= '0;
-    else used_q <= used_d;
+    else if (take_i || give_i != '0) used_q <= counted(used_q, take_i, give_i);
   end
 
 `ifndef SYNTHESIS

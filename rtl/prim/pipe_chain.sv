@@ -32,9 +32,12 @@ module pipe_chain #(
   // A stage moves if a place from it on is free, or the output is taken: the free places, smeared
   // towards the input in a logarithmic number of steps.
   always_comb begin
-    open = ~valid_q;
-    for (int unsigned i = 1; i < Stages; i *= 2) open = open | (open >> i);
-    ready = open | {Stages{ready_i}};
+    open  = ~valid_q;
+    ready = '1;
+    if (!ready_i && valid_q != '0) begin
+      for (int unsigned i = 1; i < Stages; i *= 2) open = open | (open >> i);
+      ready = open;
+    end
   end
 
   always_ff @(posedge clk_i) begin

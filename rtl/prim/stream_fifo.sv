@@ -45,13 +45,12 @@ module stream_fifo #(
       used_q <= '0;
     end else if (push || pop) begin
       if (pop) head_q <= (head_q == Last) ? '0 : head_q + 1'b1;
-      if (push) tail_q <= (tail_q == Last) ? '0 : tail_q + 1'b1;
+      if (push) begin
+        mem_q[tail_q] <= data_i;
+        tail_q        <= (tail_q == Last) ? '0 : tail_q + 1'b1;
+      end
       if (push != pop) used_q <= push ? used_q + 1'b1 : used_q - 1'b1;
     end
-  end
-
-  always_ff @(posedge clk_i) begin
-    if (push) mem_q[tail_q] <= data_i;
   end
 
 `ifndef SYNTHESIS

@@ -110,7 +110,7 @@ module frontier
     else if (node_valid_i) split_q <= split_q + 1'b1;
   end
   node_parts u_parts (
-    .node_i, .index_i(index_q[node_tile]), .child_i(split_q), .part_o(part), .bad_o(bad)
+    .valid_i(node_valid_i), .node_i, .index_i(index_q[node_tile]), .child_i(split_q), .part_o(part), .bad_o(bad)
   );
 
   // ---- The box against the tile's rays, and what is needed of the child behind that ----
@@ -146,7 +146,8 @@ module frontier
 
   step_t    side;
   tile_no_t tile, judged_q;       // whose child came; whose node was judged in the cycle before
-  part_t    met, look;
+  part_t    met;
+  line_t    look;
   count_t   new_kept_q, new_waiting_q, new_kept, new_waiting, kept, waiting, first;
   logic     is_met, keeps, waits, judge, decide_q, too_many;
   assign side        = side_q[place_q - 3'(Stages)];
@@ -167,7 +168,7 @@ module frontier
     if (!rst_ni || judge) begin
       new_kept_q    <= '0;
       new_waiting_q <= '0;
-    end else begin
+    end else if (is_met) begin
       new_kept_q    <= new_kept;
       new_waiting_q <= new_waiting;
     end
@@ -178,7 +179,7 @@ module frontier
     if (waits && !too_many) waiting_q[{tile, first + waiting + new_waiting_q}] <= met;
   end
 
-  assign look     = waiting_q[{judged_q, first_q[judged_q]}];
+  assign look     = waiting_q[{judged_q, first_q[judged_q]}].target.index;
   assign spent    = waiting_count_q[judged_q] != '0;
   assign ask_next = decide_q && spent && reads_q[judged_q] != ReadW'(MaxNodes);
   assign finish   = decide_q && !ask_next;
@@ -203,13 +204,13 @@ module frontier
       waiting_count_q[judged_q] <= waiting_count_q[judged_q] - 1'b1;
       first_q[judged_q]         <= first_q[judged_q] + 1'b1;
       reads_q[judged_q]         <= reads_q[judged_q] + 1'b1;
-      index_q[judged_q]         <= look.target.index;
+      index_q[judged_q]         <= look;
     end
   end
 
   assign ask_valid_o = ask_next || (enter && !at_root);
   assign ask_tile_o  = ask_next ? ctx_t'(judged_q) : ctx_t'(enter_q);
-  assign ask_index_o = ask_next ? look.target.index : root_i.index;
+  assign ask_index_o = ask_next ? look : root_i.index;
 
   assign out_parts_o = kept_count_q[leave_q];
   assign part_o      = kept_q[{leave_q, 1'b0, part_i}];

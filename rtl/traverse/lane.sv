@@ -180,21 +180,26 @@ module lane
   );
 
   // ---- Tests ----
-  logic    brute_test, test;
-  result_t best;
-  tests_t  tests;
+  logic       brute_test, test;
+  prim_slot_t tested;
+  result_t    best;
+  tests_t     tests;
 
   assign look_ctx   = hierarchy_i ? line_ctx : test_ctx_i;
   assign test_ctx   = hierarchy_i ? leaf_test_ctx : test_ctx_i;
   assign brute_test = test_valid_i && test_step_i && {1'b0, test_ctx_i} < used_o && look_valid
                       && test_prim_i.number != look_ignore;
   assign test       = hierarchy_i ? leaf_test && test_ready_o : brute_test;
+  always_comb begin   // nothing moves here while there is no test
+    tested = '0;
+    if (test) tested = hierarchy_i ? leaf_prim : test_prim_i;
+  end
 
   prim_tests #(.Contexts(Contexts)) u_tests (
     .clk_i, .rst_ni,
     .start_i(ray_taken), .start_ready_o(tests_ready), .start_ctx_i(IdxW'(free_ctx)), .tmax_i(ray_i.tmax),
     .test_valid_i(test), .test_ready_o, .test_ctx_i(test_ctx), .test_ray_i(test_ray),
-    .test_prim_i(hierarchy_i ? leaf_prim : test_prim_i),
+    .test_prim_i(tested),
     .hit_ctx_o(hit_ctx), .hit_ray_i(hit_ray),
     .over_o(test_over), .over_ctx_o(over_ctx), .idle_o(quiet_o), .cand_o(events_o.cand),
     .node_ctx_i(IdxW'(node_ctx)), .node_t_o(node_t_near),

@@ -47,9 +47,16 @@ module leaf_tests
   logic       wrong, none, both, second_q, issue, issued;
 
   assign {slot1, slot0} = line_i;
-  assign some    = {slot1.number != NoPrim, slot0.number != NoPrim};
-  assign illegal = some & {32'(slot1.number) >= primitives_i, 32'(slot0.number) >= primitives_i};
-  assign test    = some & {slot1.number != ignore_i, slot0.number != ignore_i};
+  always_comb begin
+    some    = '0;
+    illegal = '0;
+    test    = '0;
+    if (line_valid_i) begin
+      some    = {slot1.number != NoPrim, slot0.number != NoPrim};
+      illegal = some & {32'(slot1.number) >= primitives_i, 32'(slot0.number) >= primitives_i};
+      test    = some & {slot1.number != ignore_i, slot0.number != ignore_i};
+    end
+  end
   assign wrong   = line_valid_i && illegal != '0;
   assign none    = line_valid_i && illegal == '0 && test == '0;
   assign both    = &test;

@@ -47,14 +47,21 @@ module nearest
   logic [IdxW-1:0] at;
   key_t            held;
   logic signed [CoordW+TFrac:0] t_held, t_new;
-  logic            nearer, write;
+  logic            write;
 
-  assign at     = start_i ? start_ctx_i : IdxW'(result_i.ctx);
-  assign held   = key_q[at];
-  assign t_held = held.t;
-  assign t_new  = result_i.t;
-  assign nearer = t_new < t_held || (t_new == t_held && result_i.number < held.number);
-  assign write  = result_valid_i && nearer && !start_i;
+  assign at = start_i ? start_ctx_i : IdxW'(result_i.ctx);
+  always_comb begin
+    held   = '0;
+    t_held = '0;
+    t_new  = '0;
+    write  = 1'b0;
+    if (result_valid_i && !start_i) begin
+      held   = key_q[at];
+      t_held = held.t;
+      t_new  = result_i.t;
+      write  = t_new < t_held || (t_new == t_held && result_i.number < held.number);
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (start_i) begin

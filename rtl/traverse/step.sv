@@ -111,20 +111,28 @@ module step
   // ---- s1 ----
   frame_t  top;
   logic    empty, full, forward, leave, back, last, finish, overflow, is_node, over;
-  steps_t  nodes;
+  steps_t  nodes, nodes_q [Contexts];
   ref_t    target;
 
   assign ask_ctx_o = s1_q.ctx;
-  assign forward   = s1_valid_q && visits_q.e0.target.kind != RefNone;
-  assign leave     = forward && visits_q.e1.target.kind != RefNone;     // others are left behind
-  assign finish    = s1_valid_q && !forward && (empty || stop_i);
-  assign again     = s1_valid_q && !forward && !finish && top.e0.least > reach_i;
-  assign back      = s1_valid_q && !forward && !finish && !again;
-  assign last      = top.e1.target.kind == RefNone;                    // the frame's only entry
-  assign overflow  = leave && full;
-  assign target    = forward ? visits_q.e0.target : top.e0.target;
-  assign is_node   = (forward || back) && target.kind != RefLeaf;
-  assign over      = is_node && nodes >= limit_i;
+  always_comb begin
+    {forward, leave, finish, again, back, last, overflow, is_node, over} = '0;
+    target = Nowhere;
+    nodes  = '0;
+    if (s1_valid_q) begin
+      forward  = visits_q.e0.target.kind != RefNone;
+      leave    = forward && visits_q.e1.target.kind != RefNone;   // others are left behind
+      finish   = !forward && (empty || stop_i);
+      again    = !forward && !finish && top.e0.least > reach_i;
+      back     = !forward && !finish && !again;
+      last     = top.e1.target.kind == RefNone;                    // the frame's only entry
+      overflow = leave && full;
+      target   = forward ? visits_q.e0.target : top.e0.target;
+      is_node  = (forward || back) && target.kind != RefLeaf;
+      if (!s1_q.fresh) nodes = nodes_q[IdxW'(s1_q.ctx)];
+      over     = is_node && nodes >= limit_i;
+    end
+  end
 
   frame_stack #(.Contexts(Contexts), .Depth(StackDepth)) u_stack (
     .clk_i, .rst_ni,
@@ -134,8 +142,6 @@ module step
     .frame_i(leave ? {visits_q.e3, visits_q.e2, visits_q.e1} : {NoEntry, top.e2, top.e1})
   );
 
-  steps_t nodes_q [Contexts];
-  assign nodes   = s1_q.fresh ? '0 : nodes_q[IdxW'(s1_q.ctx)];
   assign count_o = nodes_q[IdxW'(count_ctx_i)];
   always_ff @(posedge clk_i) begin
     if (s1_valid_q) nodes_q[IdxW'(s1_q.ctx)] <= nodes + steps_t'(is_node);

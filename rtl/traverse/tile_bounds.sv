@@ -48,8 +48,14 @@ module tile_bounds
     most  = range.most;
     return '{least: (alone || slope < least) ? slope : least, most: (alone || slope > most) ? slope : most};
   endfunction
-  assign x = widened(x_q, slope_x, first);
-  assign y = widened(y_q, slope_y, first);
+  always_comb begin
+    x = '0;
+    y = '0;
+    if (in_valid_i) begin
+      x = widened(x_q, slope_x, first);
+      y = widened(y_q, slope_y, first);
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) count_q <= '0;
@@ -77,13 +83,20 @@ module tile_bounds
     return tile_slope_t'((wide_t'(most) + (wide_t'(1) <<< Drop)) >>> Drop);
   endfunction
 
-  logic out_ready;
+  logic         out_ready;
+  tile_bounds_t bounds;
+  always_comb begin
+    bounds = '0;
+    if (in_valid_i && last) begin
+      bounds = '{valid: same, axis: axis_q, neg: neg_q,
+                 x_low: low_of(x), x_high: high_of(x), y_low: low_of(y), y_high: high_of(y)};
+    end
+  end
   assign in_ready_o = !last || out_ready;
   pipe_stage #(.data_t(tile_bounds_t)) u_out (
     .clk_i, .rst_ni,
     .valid_i(in_valid_i && last), .ready_o(out_ready),
-    .data_i('{valid: same, axis: axis_q, neg: neg_q,
-              x_low: low_of(x), x_high: high_of(x), y_low: low_of(y), y_high: high_of(y)}),
+    .data_i(bounds),
     .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o)
   );
 endmodule

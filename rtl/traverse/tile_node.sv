@@ -95,11 +95,16 @@ module tile_node
   ref_word_t        word;
   logic [3:0]       there;
   assign none = '0;
-  assign box  = '{
-    x0: down(low.x, low_q.x, exp_x_q), x1: up(high.x, low_q.x, exp_x_q),
-    y0: down(low.y, low_q.y, exp_y_q), y1: up(high.y, low_q.y, exp_y_q),
-    z0: down(low.z, low_q.z, exp_z_q), z1: up(high.z, low_q.z, exp_z_q)
-  };
+  always_comb begin
+    box = '0;
+    if (phase_q == Planes) begin
+      box = '{
+        x0: down(low.x, low_q.x, exp_x_q), x1: up(high.x, low_q.x, exp_x_q),
+        y0: down(low.y, low_q.y, exp_y_q), y1: up(high.y, low_q.y, exp_y_q),
+        z0: down(low.z, low_q.z, exp_z_q), z1: up(high.z, low_q.z, exp_z_q)
+      };
+    end
+  end
   assign word = 32'(part_i.target);
   always_ff @(posedge clk_i) begin
     if (phase_q == Planes) begin
@@ -121,9 +126,14 @@ module tile_node
   function automatic ref_word_t word_at(int unsigned i);
     return !there[i] ? '0 : (at_q[1:0] == 2'(i)) ? word : words_q[i % 3];
   endfunction
-  assign node_o = '{
-    x: low_q.x, y: low_q.y, z: low_q.z, exp_x: exp_x_q, exp_y: exp_y_q, exp_z: exp_z_q,
-    ref0: word_at(0), ref1: word_at(1), ref2: word_at(2), ref3: word_at(3),
-    box0: box_at(0), box1: box_at(1), box2: box_at(2), box3: box_at(3), reserved: '0
-  };
+  always_comb begin
+    node_o = '0;
+    if (write_o) begin
+      node_o = '{
+        x: low_q.x, y: low_q.y, z: low_q.z, exp_x: exp_x_q, exp_y: exp_y_q, exp_z: exp_z_q,
+        ref0: word_at(0), ref1: word_at(1), ref2: word_at(2), ref3: word_at(3),
+        box0: box_at(0), box1: box_at(1), box2: box_at(2), box3: box_at(3), reserved: '0
+      };
+    end
+  end
 endmodule

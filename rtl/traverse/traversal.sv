@@ -154,7 +154,10 @@ module traversal
     logic [SlotW-1:0] tile_slot;
     ray_t             ray;
     assign to_lane[i]   = in_lane == lane_no_t'(i);
-    assign ray          = brute_i ? in_i : queued[i];
+    always_comb begin   // nothing moves here while there is no ray
+      ray = '0;
+      if (ray_valid[i]) ray = brute_i ? in_i : queued[i];
+    end
     assign tile_slot    = queued[i].tag.slot[SlotW-1:0];
     assign ray_valid[i] = brute_i ? dealt_valid[i] : queue_valid[i];
     assign left_o[i]    = !brute_i && ray_valid[i] && ray_ready[i];
