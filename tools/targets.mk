@@ -70,6 +70,8 @@ GALLERY := teapot teapot_tight teapot_fit teapot_interior teapot_rotated teapot_
 gallery: programs ## render the pictures of docs/gallery.md anew, with the model
 	@mkdir -p docs/pictures
 	@for scene in $(GALLERY); do $(BUILD)/castray render scenes/$$scene.json --engine model --size 320x240 -o docs/pictures/$$scene.png; done
+	@$(BUILD)/castray render scenes/teapot.json --engine model --size 320x240 -o docs/pictures/teapot.png \
+	  --nodes-map docs/pictures/teapot_nodes.png --tests-map docs/pictures/teapot_tests.png
 
 hashes: programs ## write the SHA-256 of each scene's small frame anew: scenes/frames.sha256
 	@tb/cli/hashes.sh --write
