@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The widths of rtl/pkg/castray_cfg_pkg.sv are parameters: in a copy of the sources with narrower ones
 # the whole core is clean under lint, the units of the lane equal their models, and widths that are
-# not possible are refused with a sentence. With --core a core of one lane is built too, and a frame
+# not possible are refused with a sentence. With --core a core of one lane is built too, and frames
 # compared with the model: some minutes.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -51,7 +51,9 @@ if [[ ${1:-} == --core ]]; then
   equal_their_models traverse/lane_tree
   make -s build/castray build/cores/l1c32t3p1m0.so
   for scene in cube spheres; do
-    build/castray render "scenes/$scene.json" --engine rtl --lanes 1 --size 48x32 --check -o picture.png
+    for mode in bvh brute; do
+      build/castray render "scenes/$scene.json" --mode $mode --lanes 1 --ports 1 --l2 0 --size 48x32 --check -o picture.png
+    done
   done
 fi
 echo "widths: narrower ones work, impossible ones are refused"
