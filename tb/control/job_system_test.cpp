@@ -60,7 +60,14 @@ class JobSystem : public testing::TestWithParam<Stalls> {
     bus_.write(RegImageBytes, static_cast<std::uint32_t>(job.image_bytes));
     bus_.write(RegFrameBytes, static_cast<std::uint32_t>(job.frame_bytes));
     bus_.write(RegFrameSize, static_cast<std::uint32_t>(job.width | job.height << 16));
-    bus_.write(RegOptions, 0);
+    bus_.write(RegHits, static_cast<std::uint32_t>(job.hits));
+    bus_.write(RegHits + 4, static_cast<std::uint32_t>(job.hits >> 32));
+    bus_.write(RegHitsBytes, static_cast<std::uint32_t>(job.hits_bytes));
+    bus_.write(RegRays, static_cast<std::uint32_t>(job.rays));
+    bus_.write(RegRays + 4, static_cast<std::uint32_t>(job.rays >> 32));
+    bus_.write(RegRayBytes, static_cast<std::uint32_t>(job.ray_bytes));
+    bus_.write(RegRayCount, static_cast<std::uint32_t>(job.ray_count));
+    bus_.write(RegOptions, job.is_list ? 1u << OptionList : 0);
     bus_.write(RegGie, 1);
     bus_.write(RegIer, 1);
     loading_ = true;
@@ -159,9 +166,10 @@ TEST_F(JobSystem, ReportsEveryCodeOfTheChecks) {
       const TestImage good = image_;
       SCOPED_TRACE(list[i].name);
       list[i].spoil(image_);
-      // Hits are not asked for here, and the window is the frame.
+      // Hits are asked for of lists only, and the window is the frame.
       job_t job = image_.job;
-      job.want_hits = job.illegal = job.x0 = job.y0 = 0;
+      job.illegal = job.x0 = job.y0 = 0;
+      job.want_hits = job.is_list;
       job.x1 = job.width;
       job.y1 = job.height;
       const error_t expected = check_image(image_.bytes().data(), HeaderBytes + FrameBytes, job);
