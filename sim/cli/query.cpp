@@ -146,6 +146,7 @@ class Query {
     print_title(run.device);
     print_work(run.answers.counters, run.seconds, people_);
     print_run(run, run.answers.counters, people_);
+    if (!args_.trace.empty()) wrote(args_.trace);
     if (run.violations > 0) code = kBusRules;
     return run.answers;
   }

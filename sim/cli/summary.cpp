@@ -23,15 +23,19 @@ void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out)
     return of(hits) + of(misses) > 0 ? 100 * of(hits) / (of(hits) + of(misses)) : 0.0;
   };
   std::fprintf(out, "  cycles %s\n", count(CntCycles).c_str());
+  // A list of rays has neither tiles nor attributes.
+  const auto if_any = [&](std::int64_t one, std::int64_t other, const std::string& text) {
+    return counters[static_cast<std::size_t>(one)] + counters[static_cast<std::size_t>(other)] > 0 ? text : "";
+  };
+  const std::string tiles = if_any(CntTileNodes, CntEmptyTiles, "; tiles: " + count(CntTileNodes) + " nodes read to start them, " + count(CntEmptyTiles) + " filled");
+  const std::string attributes = if_any(CntAttrHits, CntAttrMisses, "; attributes: " + count(CntAttrHits) + " in the cache, " + count(CntAttrMisses) + " fetched");
   if (counters[CntBatches] > 0)
     std::fprintf(out, "  brute force: %s passes, %s cycles waiting for a lane, %s for a primitive\n", count(CntBatches).c_str(),
                  count(CntTestStalls).c_str(), count(CntFetchStalls).c_str());
   else
-    std::fprintf(out, "  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%; tiles: %s nodes read to start them, %s filled\n",
-                 share(CntNodeHits, CntNodeMisses), share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses),
-                 count(CntTileNodes).c_str(), count(CntEmptyTiles).c_str());
-  std::fprintf(out, "  read beats %s, write beats %s; attributes: %s in the cache, %s fetched\n", count(CntReadBeats).c_str(),
-               count(CntWriteBeats).c_str(), count(CntAttrHits).c_str(), count(CntAttrMisses).c_str());
+    std::fprintf(out, "  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%%s\n", share(CntNodeHits, CntNodeMisses),
+                 share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses), tiles.c_str());
+  std::fprintf(out, "  read beats %s, write beats %s%s\n", count(CntReadBeats).c_str(), count(CntWriteBeats).c_str(), attributes.c_str());
   std::fprintf(out, "  simulated %.3f M cycles a second\n", run.per_second(counters[CntCycles]) / 1e6);
   bool stalled = false;
   for (const sim::StallShare& share : run.shares) stalled |= share.blocked > 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // castray query from outside: answers in every form and of every engine, and what is refused.
+// Cores: l1c32t3p1m0 l3c32t3p2m128
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -67,14 +68,13 @@ TEST_F(QueryCommand, AnAnswerIsTheNextRaysLimit) {
   }
 }
 
-// Limits, culling, ignored primitives and any hit mixed, from text to text.
-TEST_F(QueryCommand, RandomRaysAgreeWithFloat64) {
-  std::mt19937_64 random(7);
+// Limits, culling, ignored primitives and any hit mixed, for scenes/spheres.json.
+std::string random_rays(std::size_t count, unsigned seed) {
+  std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> place(-3, 3), reach(0, 6);
   const auto one_in = [&](unsigned n) { return random() % n == 0; };
   std::ostringstream text;
   text << "any,tmax,ox,oy,oz,ignore,dx,dy,dz,cull,tmin\n";
-  const std::size_t count = 3000;
   for (std::size_t i = 0; i < count; ++i) {
     const double tmin = one_in(3) ? reach(random) : 0;
     text << one_in(4) << ',';
@@ -85,7 +85,12 @@ TEST_F(QueryCommand, RandomRaysAgreeWithFloat64) {
     for (int k = 0; k < 3; ++k) text << ',' << place(random);
     text << ',' << one_in(3) << ',' << tmin << '\n';
   }
-  const std::string ask = "query scenes/spheres.json " + file("rays.csv", text.str()) + " --engine ";
+  return text.str();
+}
+
+TEST_F(QueryCommand, RandomRaysAgreeWithFloat64) {
+  const std::size_t count = 3000;
+  const std::string ask = "query scenes/spheres.json " + file("rays.csv", random_rays(count, 7)) + " --engine ";
   const auto model = table(run(ask + "model").out), brute = table(run(ask + "model --mode brute").out), reference = table(run(ask + "float64").out);
   ASSERT_EQ(model.size(), count);
   ASSERT_EQ(reference.size(), count);
@@ -105,6 +110,29 @@ TEST_F(QueryCommand, RandomRaysAgreeWithFloat64) {
   EXPECT_GT(hits, count / 5);
   EXPECT_GT(yes, count / 20);
   EXPECT_LT(ties, hits / 50);
+}
+
+TEST_F(QueryCommand, TheSimulatedCoreAgreesWithTheModel) {
+  const std::string ask = "query scenes/spheres.json " + file("rays.csv", random_rays(500, 8)) + " ";
+  const std::string expected = run(ask + "--engine model").out;
+  for (const std::string core : {"--lanes 1 --ports 1 --l2 0 --stalls uniform --seed 3", "--lanes 3 --memory hp", "--lanes 3 --mode brute"}) {
+    const Outcome outcome = run(ask + core + " --check --json " + path("a.json"));
+    ASSERT_EQ(outcome.code, 0) << core << outcome.err;
+    EXPECT_EQ(outcome.out, expected) << core;
+    EXPECT_NE(outcome.err.find("against the model: 0 of 500 hit records differ"), std::string::npos) << outcome.err;
+    const auto report = nlohmann::json::parse(read(path("a.json")));
+    EXPECT_EQ(report["hits_differ"], 0);
+    EXPECT_GT(report["cycles"], 500);
+    EXPECT_EQ(report["rays"], 500);
+  }
+}
+
+TEST_F(QueryCommand, WaveformsOfOneRay) {
+  const std::string ask = kTeapot + "-o " + path("a.csv") + " --only 2 --check";
+  const Outcome outcome = run(ask + " --trace " + path("a.fst"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_GT(fs::file_size(path("a.fst")), 1000u);
+  EXPECT_EQ(table(read(path("a.csv"))), table(run(kTeapot + "--engine model --only 2").out));
 }
 
 TEST_F(QueryCommand, OneRayOnTheGridOfAll) {
