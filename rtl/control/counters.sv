@@ -21,11 +21,6 @@ module counters
   localparam int unsigned SumW = $clog2(EventBits + 1);
   typedef logic [SumW-1:0] sum_t;
 
-  function automatic sum_t ones(logic [EventBits-1:0] events);
-    ones = '0;
-    for (int unsigned i = 0; i < EventBits; i++) ones += sum_t'(events[i]);
-  endfunction
-
   for (genvar i = 0; i < Counters; i++) begin : g_counter
     sum_t              step_q;
     logic [CountW-1:0] count_q;
@@ -34,7 +29,7 @@ module counters
         step_q  <= '0;
         count_q <= '0;
       end else if (step_q != '0 || events_i[i] != '0) begin
-        step_q  <= ones(events_i[i]);
+        step_q  <= sum_t'($countones(events_i[i]));
         count_q <= count_q + CountW'(step_q);
       end
     end

@@ -71,7 +71,10 @@ module line_cache
   line_no_t         line_q, fill_line_q;
   line_fill_t       fill_q;
 
-  assign open       = emptied && room && !(filled && set_of(in_line_i) == set_of(fill_line_q));
+  always_comb begin
+    open = emptied && room;
+    if (filled) open = open && set_of(in_line_i) != set_of(fill_line_q);
+  end
   assign in_ready_o = open && (!looked || leaves);
   pipe_chain #(.Stages(1)) u_look (
     .clk_i, .rst_ni, .valid_i(in_valid_i && open), .ready_o(),
@@ -87,7 +90,7 @@ module line_cache
   line_tags #(.Sets(Sets), .Ways(Ways), .TagW(TagW)) u_tags (
     .clk_i, .rst_ni, .ready_o(emptied),
     .look_i(look), .look_set_i(set_of(in_line_i)), .look_tag_i(tag_of(in_line_i)),
-    .found_o(found), .found_way_o(found_way), .use_i(hit_o),
+    .held_i(looked), .found_o(found), .found_way_o(found_way), .use_i(hit_o),
     .fill_i(fill), .fill_set_i(set_of(fill_line_q)), .fill_tag_i(tag_of(fill_line_q)),
     .fill_way_o(fill_way)
   );
@@ -118,7 +121,10 @@ module line_cache
   // ---- Fill ----
   logic   wake_room, wake_busy, fill_free;
   place_t fill_place;
-  assign fill_free  = wake_room && !wake_busy && !(looked && set_of(line_q) == set_of(fill_line_q));
+  always_comb begin
+    fill_free = 1'b0;
+    if (filled) fill_free = wake_room && !wake_busy && !(looked && set_of(line_q) == set_of(fill_line_q));
+  end
   assign fill       = filled && fill_free;
   assign fill_place = {set_of(fill_line_q), fill_way};
   pipe_chain #(.Stages(1)) u_fill (
@@ -150,7 +156,10 @@ module line_cache
     .out_place_o(wake_place), .next_i(wake_next)
   );
   assign serve[0]       = '{id: wake_id, place: wake_place};
-  assign serve[1]       = '{id: id_q, place: {set_of(line_q), found_way}};
+  always_comb begin
+    serve[1] = '0;
+    if (looked) serve[1] = '{id: id_q, place: {set_of(line_q), found_way}};
+  end
   assign serve_valid[1] = looked && found;
   assign leaves         = !found || serve_ready[1];
   assign hit_o          = looked && found && serve_ready[1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tags of a cache of lines: Sets sets of Ways ways, and which way of a set to replace.
-//   look   cycle 0: a set's tags out of the memory; cycle 1 and until the next look: found_o, and
-//          the way
+//   look   cycle 0: a set's tags out of the memory; cycle 1 and until the next look, while held_i:
+//          found_o, and the way
 //   fill   the tag replaces that of fill_way_o, all in one cycle
 // Replaced is the way that a tree of one bit a fork points to: each use turns the forks above it
 // away from it. With two ways that is the one used longer ago, and an empty way comes first.
@@ -22,6 +22,7 @@ module line_tags #(
   input  logic            look_i,
   input  logic [SetW-1:0] look_set_i,
   input  logic [TagW-1:0] look_tag_i,
+  input  logic            held_i,
   output logic            found_o,
   output logic [WayW-1:0] found_way_o,
   input  logic            use_i,         // what was found is used
@@ -67,11 +68,15 @@ module line_tags #(
     entry_t way_q [Sets];
     entry_t look_q;
     always_ff @(posedge clk_i) begin
-      if (write && (!ready_o || fill_way_o == WayW'(w)))
-        way_q[write_set] <= '{full: ready_o, tag: fill_tag_i};
+      if (write) begin
+        if (!ready_o || fill_way_o == WayW'(w)) way_q[write_set] <= '{full: ready_o, tag: fill_tag_i};
+      end
       if (look_i) look_q <= way_q[look_set_i];
     end
-    assign found[w] = look_q.full && look_q.tag == tag_q;
+    always_comb begin
+      found[w] = 1'b0;
+      if (held_i) found[w] = look_q.full && look_q.tag == tag_q;
+    end
   end
   assign found_o = |found;
   always_comb begin
@@ -94,7 +99,9 @@ module line_tags #(
     assign above = ((Ways + 32'(used_way)) >> Level) == n;
     assign upper = used_way[Level-1];
     always_ff @(posedge clk_i) begin
-      if (turn && (!ready_o || above)) points_q[turn_set] <= ready_o && !upper;
+      if (turn) begin
+        if (!ready_o || above) points_q[turn_set] <= ready_o && !upper;
+      end
     end
     assign points[n] = points_q[fill_set_i];
   end
