@@ -9,11 +9,33 @@
 #include "core.hpp"
 #include "frame/guarded_bytes.hpp"
 #include "frame/spoilt_image.hpp"
+#include "mem/ray_request.hpp"
 
 namespace castray::tb {
 namespace {
 
 constexpr std::uint8_t kUntouched = 0xa5;
+
+// The rays of a list, from the eye of the good image and from anywhere; of every second list some bits are spoilt, too.
+std::vector<std::uint8_t> rays_for(const Spoilt& spoilt, unsigned seed) {
+  constexpr std::size_t kRays = 96;
+  std::mt19937_64 random(seed);
+  std::vector<std::uint8_t> bytes(kRays * RayBytes);
+  for (std::size_t i = 0; i < kRays; ++i) {
+    ray_record_t ray;
+    const auto coord = [&](std::uint64_t eye) { return i % 2 ? eye : random() % (std::uint64_t{1} << CoordW); };
+    const auto component = [&] { return static_cast<std::int64_t>(random()) >> (64 - DirFrac); };
+    ray.org_x = coord(spoilt.image.frame.eye_x), ray.org_y = coord(spoilt.image.frame.eye_y), ray.org_z = coord(spoilt.image.frame.eye_z);
+    ray.dir_x = component(), ray.dir_y = component(), ray.dir_z = component();
+    ray.tmax = TMax;
+    ray.flags = random() % (1 << NumRayFlags);
+    ray.ignore = random() % 4 ? NoHit : random() % 8;
+    store_record(&bytes[i * RayBytes], ray);
+  }
+  if (seed % 2)
+    for (int i = 0; i < 4; ++i) bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1 << random() % 8);
+  return bytes;
+}
 
 job_t job_of(const Spoilt& spoilt, unsigned mode, bool hits) {
   const frame_record_t& frame = spoilt.image.frame;
@@ -29,6 +51,41 @@ job_t job_of(const Spoilt& spoilt, unsigned mode, bool hits) {
   return job;
 }
 
+// Runs the job twice: as it is, and on behind errors.
+error_t expect_an_end(const job_t& job, const Windows& windows, unsigned& several) {
+  const Outcome outcome = run_job(job, windows, {.threads = 1});
+  const Outcome all = run_job(job, windows, {.threads = 1, .every_error = true});
+  EXPECT_EQ(outcome.error == ErrNone, all.errors == 0);
+  EXPECT_EQ(outcome.error, all.error);
+  if (outcome.error != ErrNone) EXPECT_TRUE(all.errors >> outcome.error & 1);
+  several += (all.errors & (all.errors - 1)) != 0;
+  return outcome.error;
+}
+
+TEST(SpoiltImages, EndEveryListOfTheModelInsideItsWindows) {
+  const unsigned count = images_to_spoil(900);
+  SpoiltCounts counts;
+  unsigned several = 0;
+  for (unsigned seed = 0; seed < count && !testing::Test::HasFailure(); ++seed) {
+    const Spoilt spoilt = Spoiler(seed).make();
+    const std::vector<std::uint8_t> list = rays_for(spoilt, seed);
+    for (const unsigned mode : {0u, 1u}) {
+      SCOPED_TRACE(spoilt.text + ", " + (mode == 0 ? "brute" : "bvh_root"));
+      job_t job = job_of(spoilt, mode, true);
+      job.is_list = 1;
+      job.rays = 0x4'0000'0000, job.ray_count = list.size() / RayBytes, job.ray_bytes = list.size();
+      job.hits_bytes = job.ray_count * HitBytes;
+      GuardedBytes image(spoilt.window), rays(list.size()), hits(job.hits_bytes);
+      image.fill(std::span(spoilt.image.bytes).first(spoilt.window));
+      rays.fill(list);
+      counts.count(seed, expect_an_end(job, {.image = image.span(), .frame = {}, .hits = hits.span(), .rays = rays.span()}, several));
+    }
+  }
+  std::printf("%u images, %u lists: %u end well, %u have more than one error\n", count, counts.total(), counts.of(ErrNone), several);
+  for (const error_t error : {ErrRegister, ErrImage, ErrSection, ErrPrimitive, ErrNode, ErrLeaf, ErrStack, ErrSteps, ErrRay})
+    EXPECT_GE(counts.of(error), count / 1000) << "too few of error " << error;
+}
+
 TEST(SpoiltImages, EndEveryJobOfTheModelInsideItsWindows) {
   const unsigned count = images_to_spoil(900);
   SpoiltCounts counts;
@@ -42,14 +99,7 @@ TEST(SpoiltImages, EndEveryJobOfTheModelInsideItsWindows) {
       GuardedBytes image(spoilt.window), frame(job.frame_bytes), hits(job.hits_bytes);
       image.fill(std::span(spoilt.image.bytes).first(spoilt.window));
       std::ranges::fill(frame.span(), kUntouched);
-      const Windows windows{image.span(), frame.span(), hits.span()};
-      const Outcome outcome = run_job(job, windows, {.threads = 1});
-      const Outcome all = run_job(job, windows, {.threads = 1, .every_error = true});
-      EXPECT_EQ(outcome.error == ErrNone, all.errors == 0);
-      EXPECT_EQ(outcome.error, all.error);
-      if (outcome.error != ErrNone) EXPECT_TRUE(all.errors >> outcome.error & 1);
-      several += (all.errors & (all.errors - 1)) != 0;
-      counts.count(seed, outcome.error);
+      counts.count(seed, expect_an_end(job, {.image = image.span(), .frame = frame.span(), .hits = hits.span(), .rays = {}}, several));
     }
   }
   std::printf("%u images, %u jobs: %u end well, %u have more than one error\n", count, counts.total(), counts.of(ErrNone), several);
