@@ -60,6 +60,7 @@ module frontier
 
   // ---- Tiles, in a ring ----
   tile_no_t         enter_q, leave_q;
+  tile_no_t         judged_q;         // whose node was judged in the cycle before
   logic [Tiles-1:0] used_q, finished_q, root_q;
   tile_bounds_t     bounds_q [Tiles];
   logic             enter, at_root, leave, ask_next, finish, spent;
@@ -101,6 +102,7 @@ module frontier
   tile_no_t   node_tile;
   part_t      part;
   logic       bad;
+  line_t      index_q [Tiles];    // of the node of each tile that is read
   assign node_ready_o = split_q == '1;
   assign node_tile    = tile_no_t'(node_tile_i);
   assign read_o       = node_valid_i && node_ready_o;
@@ -142,10 +144,9 @@ module frontier
   part_t            waiting_q [Tiles * Places];
   count_t           kept_count_q [Tiles], waiting_count_q [Tiles], first_q [Tiles];
   logic [ReadW-1:0] reads_q [Tiles];
-  line_t            index_q [Tiles];          // of the node that is read
 
   step_t    side;
-  tile_no_t tile, judged_q;       // whose child came; whose node was judged in the cycle before
+  tile_no_t tile;                 // whose child came
   part_t    met;
   line_t    look;
   count_t   new_kept_q, new_waiting_q, new_kept, new_waiting, kept, waiting, first;

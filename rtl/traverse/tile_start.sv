@@ -59,7 +59,7 @@ module tile_start
   output logic       miss_o
 );
   // ---- In: a tile waits for its start; meanwhile its corners go to the camera ----
-  logic  wait_valid, wait_ready, head_valid, head_ready, corner_busy;
+  logic  wait_valid, wait_ready, head_valid, head_ready, corner_busy, corner_last;
   tile_t head;
   assign in_ready_o = wait_ready && (direct_i || !corner_busy || corner_last);
   assign wait_valid = in_valid_i && (direct_i || !corner_busy || corner_last);
@@ -71,7 +71,7 @@ module tile_start
 
   tile_t      tile_q;
   logic [1:0] corner_q;     // 1: right, 2: bottom
-  logic       busy_q, corner_last;
+  logic       busy_q;
   assign corner_busy    = busy_q;
   assign corner_last    = corner_q == 2'd3 && corner_ready_i;
   assign corner_valid_o = busy_q;
