@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// castray: a scene image in memory, a picture and its hits out, or the hits of a list of rays. Instances and wires only; the
-// README's data-flow diagram as code.
+// castray: a scene image in memory, a picture and its hits out, or the hits of a list of rays.
+// Instances and wires only; the README's data-flow diagram as code.
 //
 //   job_control - job_loader - frame_setup
 //   ray_reader (a list) -> ray_source -> traversal -> shading -> frame and hit buffers
 //
-// Control: AXI4-Lite, docs/register-map.md. Memory: one AXI4 port of 128 bits.
+// Control: AXI4-Lite, docs/register-map.md. Memory: one or two AXI4 ports of 128 bits (axi_ports),
+// behind caches of lines (line_memory, docs/memory.md).
 // The scene image: docs/scene-image.md. Model: cpp_model/core.cpp, equal bit for bit.
 module castray_core
   import castray_cfg_pkg::*;

@@ -77,7 +77,7 @@ std::string tiles(const std::vector<Json>& records) {
   return out +
          "\nBy brute force the tile hardly matters, for every ray meets every primitive: cycles differ by the last, part-filled batch and by\n"
          "the attributes that neighbouring pixels share. Tiles of 8x8 in rows are the default: their rows are whole bursts of 32 bytes, one\n"
-         "tile needs a quarter of the gather buffer of 16x16, and a hierarchy will start its rays by tiles of that size.\n";
+         "tile needs a quarter of the gather buffer of 16x16, and the hierarchy starts its rays by tiles of that size.\n";
 }
 
 std::string transforms(const std::vector<Json>& records) {
@@ -93,7 +93,7 @@ std::string transforms(const std::vector<Json>& records) {
 std::string stalls(const std::vector<Json>& records) {
   std::string out =
       "\n## Stalls\n80x60, three lanes, responses of different IDs reordered. The share of the cycles in which a channel was wanted and\n"
-      "blocked; `turn` shuts one channel after the other, `none` is the frame without.\n\n"
+      "blocked; `turn` shuts one channel after the other. For the base view without stalls see *Transforms*.\n\n"
       "| view | pattern | cycles | ar | r | aw | w | b | differ |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const Json& r : only(records, "stalls")) {
     out += format("| %s | %s | %.3f M |", text(r, "view").c_str(), text(r, "stalls").c_str(), mega(r));

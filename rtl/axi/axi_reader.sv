@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The read half of the AXI4 port: merges the bursts that Clients ask for, and gives each beat back
+// The read half of an AXI4 port: merges the bursts that Clients ask for, and gives each beat back
 // to the client whose number its ID carries.
 //   take    round robin, while fewer than MaxReads bursts are outstanding and block_i is low
 //   AR      one burst a cycle, from a register; INCR, 16 bytes a beat, AxCACHE 0011

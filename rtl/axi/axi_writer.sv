@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The write half of the AXI4 port: takes whole bursts from Clients and sends them.
+// The write half of an AXI4 port: takes whole bursts from Clients and sends them.
 //   take    round robin, while fewer than MaxWrites bursts are outstanding and block_i is low,
 //           in the cycle in which the last beat of the burst before leaves: one beat a cycle
 //   AW      from a register of two places, so an address may be ahead of its data or behind;

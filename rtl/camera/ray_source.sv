@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of a frame, tile by tile, or those of a list. Instances and wires only.
+// The rays of a frame, tile by tile, or those of a list. Instances, and which of them share a pipe.
 //
-//   tile_walk -> tile_start -> tile_deal -> tile_pixels -> ray_gen -> ray_choice -> ray_setup -> slab_setup -> out
-//                    ^  corner pixels                        |           ^             |
-//                    +---------------------------------------|-----------|-------------+
-//                                                                      list
+//   tile_walk -> tile_start -> tile_deal -> tile_pixels -+-> ray_gen -+
+//                  ^   |                                 |            |
+//                  |   +--------- corner pixels ---------+            v
+//                  |                                              ray_choice <- list
+//                  |                                                  |
+//                  +-- corner rays --+-- ray_setup <------------------+
+//                                    +-> slab_setup -> out
 //
 // A tile is offered to the gather (tile_*) before its pixels come. One ray a cycle, corners before
 // others. A tile that no ray of it can hit is filled (fill_*), or where hits are wanted gives its

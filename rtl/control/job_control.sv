@@ -12,9 +12,10 @@
 // until no burst is outstanding, for AbortCycles in a row; then done, with the code. Errors of one
 // cycle rank: read bus, write bus, loader, datapath.
 // An argument is illegal if a register held bits outside its field; a side of the frame is not 1
-// to MaxFrameSize; the window is empty or leaves the frame; a list has not 1 to MaxRays rays; a buffer is not aligned or ends behind the
-// address space; the image's window does not hold header and frame record. The hit buffer counts
-// only if hits are wanted, the rest only where the job is of its kind.
+// to MaxFrameSize; the window is empty or leaves the frame; a list has not 1 to MaxRays rays; a
+// buffer is not aligned or ends behind the address space; the image's window does not hold header
+// and frame record. The hit buffer counts only if hits are wanted, the rest only where the job is of
+// its kind.
 // Model: cpp_model/mem/image.hpp, check_job().
 module job_control
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A position seen from the ray's origin, on axes permuted so that the dominant one comes last:
 // (x, y, z) becomes (y, z, x) for axis 0, (z, x, y) for axis 1, itself otherwise. Combinational,
-// exact for positions below 2^CoordW, else modulo 2^(CoordW+1); the permutation is cyclic, so a triangle keeps its orientation.
+// exact for positions below 2^CoordW, else modulo 2^(CoordW+1); the permutation is cyclic, so a
+// triangle keeps its orientation.
 // Model: cpp_model/isect/corner_delta.hpp, equal bit for bit.
 module corner_delta
   import castray_pkg::*;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which children are visited, in which order, and the least t of each:
-//   s1  plane: the node's first plane across the dominant axis, margin included, in units of 2^-DistFrac
-//       of a dist_t's last bit; rounded towards the ray's origin
+//   s1  plane: the node's first plane across the dominant axis, margin included, in units of
+//       2^-DistFrac of a dist_t's last bit; rounded towards the ray's origin
 //   s2  visited: the child's stretch is one, and meets the limits'. Its place: how many enter sooner,
 //       or in the same tick with a lower number. z = plane + the tick of entry
 //   s3  least = z, or ~z where the ray runs along -z, cut to 0 and the largest; the entries in place
-// One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item. neg_i, dz_i and ez_i belong to s1,
-// the children's and the limits' stretches to s2, targets to s3.
+// One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item. neg_i, dz_i and ez_i belong to
+// s1, the children's and the limits' stretches to s2, targets to s3.
 // Model: cpp_model/isect/node_order.hpp, equal bit for bit.
 module node_order
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;

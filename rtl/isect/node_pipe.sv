@@ -6,8 +6,8 @@
 //           and what tmin and the nearest t leave of the ray                 (slab_limits)
 //   s6-s8   order                                                            (node_order)
 // A child is dropped only if the line misses its box, or passes it where no hit that is reported for
-// its inside could lie between tmin and t: docs/number-formats.md, "The test of a node". Of a node that no scene
-// image may hold no child is visited, and error_o is set with out_valid_o.
+// its inside could lie between tmin and t: docs/number-formats.md, "The test of a node". Of a node
+// that no scene image may hold no child is visited, and error_o is set with out_valid_o.
 // One node a cycle, 8 cycles, never stalls. 10 DSPs.
 // Model: cpp_model/isect/node_pipe.hpp, equal bit for bit.
 module node_pipe

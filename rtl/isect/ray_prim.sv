@@ -11,7 +11,8 @@
 //   s11     out
 // One test a cycle, 11 cycles from in_valid_i to out_valid_o or retire_o (never both), never
 // stalls; out_o.ctx is the test's either way. An empty slot (NoPrim), and a sphere of radius 0 or
-// of 2^(CoordW-1) and more, is never accepted. 28 DSPs. What only an accepted test needs again waits in small memories, not in every stage.
+// of 2^(CoordW-1) and more, is never accepted. 28 DSPs. What only an accepted test needs again waits
+// in small memories, not in every stage.
 // Model: cpp_model/isect/ray_prim.hpp, equal bit for bit.
 module ray_prim
   import castray_cfg_pkg::*, castray_pkg::*;

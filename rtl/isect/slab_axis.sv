@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a ray crosses a node's planes across an axis that is not dominant. With D, Dz the node's origin
-// from the ray's and e, ez the exponents of the planes' spacing, the plane q is crossed at
+// Where a ray crosses a node's planes across an axis that is not dominant. With D, Dz the node's
+// origin from the ray's and e, ez the exponents of the planes' spacing, the plane q is crossed at
 //   D / S + q 2^e / S - Dz     steps behind the first plane across the dominant axis.
 // A tick of this axis is 2^-SubPlane of the wider of two spacings: 2^e / |S|, and 2^ez.
 //   s1  over = e + exp - ez; the shift from the product to ticks
@@ -10,7 +10,8 @@
 //   s4  left: a tick of this axis is 2^left ticks of the dominant one, 15: or more
 // The ray crosses plane q between low + q mant and high + q (mant + 1), S negative: between
 // low - q (mant + 1) and high - q mant; mant with 9 - SubPlane fraction bits.
-// e and ez are at most MaxPlaneExp. One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item.
+// e and ez are at most MaxPlaneExp.
+// One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item.
 // Model: cpp_model/isect/slab_axis.hpp, equal bit for bit.
 module slab_axis
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;

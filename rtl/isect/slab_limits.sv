@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ticks in which a hit may still be of use: between tmin and t, moved apart by the margin of a box.
+// The ticks in which a hit may still be of use: between tmin and t, moved apart by a box's margin.
 // z is t, or -t where the dominant component is negative.
 //   s1  z of tmin - BoxMargin and of t + BoxMargin: first and last      whole steps
 //   s2  from the node's first plane

@@ -9,9 +9,9 @@
 //   6  each primitive has attributes                       ErrSection
 //      there are numbers for all primitives                ErrPrimitive
 //   7  the root is nothing, a node or a leaf               ErrNode
-//   8  frame record: size, stride, formats, ranges         ErrFrameRecord
-//      a list: RayBytes * rays <= bytes of its window      ErrRayWindow
-//      HitBytes * rays <= bytes of the hit buffer          ErrHitWindow
+//   8  a list: RayBytes * rays <= bytes of its window      ErrRayWindow
+//              HitBytes * rays <= bytes of the hit buffer  ErrHitWindow
+//      a frame: its record's size, stride, formats, ranges ErrFrameRecord
 //   13 stride * height <= bytes of the frame buffer        ErrFrameWindow
 //   14 width * height * HitBytes <= bytes of the hit       ErrHitWindow
 //      buffer, if hits are wanted
@@ -129,7 +129,8 @@ module job_loader
       4'd7: return root_bad(header_q.root) ? ErrNode : ErrNone;
       4'd8: return job_i.is_list ? check_list() : record_bad() ? ErrFrameRecord : ErrNone;
       StepRow: return (!job_i.is_list && row_bytes_q > (32 + HeightW)'(job_i.frame_bytes)) ? ErrFrameWindow : ErrNone;
-      StepLast: return (!job_i.is_list && job_i.want_hits && 32'(pixels_q) * HitBytes > job_i.hits_bytes) ? ErrHitWindow : ErrNone;
+      StepLast: return (!job_i.is_list && job_i.want_hits && 32'(pixels_q) * HitBytes > job_i.hits_bytes) ?
+                       ErrHitWindow : ErrNone;
       default: return ErrNone;
     endcase
   endfunction

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From hits to the two buffers: a record of each ray to the hit buffer when asked, and a colour,
-// shaded or of the background, to its tile and so to the frame buffer. Instances and wires only.
+// shaded or of the background, to its tile and so to the frame buffer. Instances, and which way a
+// hit goes.
 //
 //   in -> fork -+-> hit_writer -------------------------------------------> hit buffer
 //               +-> found: queue -> attr_cache -> shade -+-> tile_gather -> frame buffer
@@ -10,7 +11,7 @@
 //
 // Only rays of tiles that tile_* has asked for come in, each once. Every input but the streams
 // stands still from the first tile until idle.
-// Model: cpp_model/core.cpp (colour_of, render_row), equal bit for bit.
+// Model: cpp_model/core.cpp (colour_of, write_pixel), equal bit for bit.
 module shading
   import castray_cfg_pkg::*;
   import castray_pkg::*;

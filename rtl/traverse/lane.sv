@@ -10,7 +10,8 @@
 //                    (leaves)
 //
 // Units meet a context's ray and its nearest hit at their heads, in ray_store and prim_tests.
-// hierarchy_i and tree_i stand still from the reset on. Without hierarchy_i all of it rests.
+// hierarchy_i and tree_i stand still from the reset on. Without hierarchy_i step, node_visits and
+// the leaves' units rest.
 // Model: cpp_model/traverse/lane.hpp, equal bit for bit.
 module lane
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;

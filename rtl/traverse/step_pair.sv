@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two decisions a cycle: a step for the even contexts and one for the odd. Nodes, leaves and new rays
-// come one of each a cycle; a node visited brings a decision, and so does a leaf, a new ray, a frame
-// that is dropped: one step alone would be busier than the node pipe. New rays go last; each step has a
-// place where one waits, so that a ray enters its context early.
+// Two decisions a cycle: a step for the even contexts and one for the odd. Nodes, leaves and new
+// rays come one of each a cycle; a node visited brings a decision, and so does a leaf, a new ray, a
+// frame that is dropped: one step alone would be busier than the node pipe. New rays go last; each
+// step has a place where one waits, so that a ray enters its context early.
 // Ports as of step; outputs are one for each step.
 // Model: cpp_model/traverse/step.hpp, equal bit for bit.
 module step_pair

@@ -3,9 +3,9 @@
 // hold. DealTiles tiles wait here, so that those whose start is sought quickly make up for others:
 //   in -+-> queue -> the next lane in turn whose queue of rays has run low
 //       +-> TileEmpty: filled with background as a whole, ahead of those that wait
-// A tile's rays take as long through the setup as Low rays take a lane; that those that are left do not all
-// fit its queue holds up the setup for a while and nothing else. The rays of each lane are counted here:
-// taken by tiles, given back by rays that leave its queue (left_i).
+// A tile's rays take as long through the setup as Low rays take a lane; that those that are left do
+// not all fit its queue holds up the setup for a while and nothing else. The rays of each lane are
+// counted here: taken by tiles, given back by rays that leave its queue (left_i).
 //   each_miss_i  an empty tile gives its pixels, to no lane
 //   direct_i     tiles go to no lane in particular, and all start at the root
 // What is dealt is told once, in the cycle in which the tile leaves: deal_*.

@@ -58,7 +58,8 @@ module tile_node
   always_ff @(posedge clk_i) begin
     if (start_i && phase_q == Measure) begin
       low_q  <= (at_q == '0) ? low : '{x: least(low.x, low_q.x), y: least(low.y, low_q.y), z: least(low.z, low_q.z)};
-      high_q <= (at_q == '0) ? high : '{x: greatest(high.x, high_q.x), y: greatest(high.y, high_q.y), z: greatest(high.z, high_q.z)};
+      high_q <= (at_q == '0) ? high :
+                '{x: greatest(high.x, high_q.x), y: greatest(high.y, high_q.y), z: greatest(high.z, high_q.z)};
     end
   end
 

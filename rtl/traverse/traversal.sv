@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // From rays to hits: the lanes, the queues of rays before them, and what leads primitives past their
-// contexts. Instances and wires only.
+// contexts. Instances, and which lane each tile was dealt to.
 //
 //   hierarchy    in -> the queue of the lane that its tile was dealt to, or whose turn it is with a
 //                list -> lane[Lanes] -> arb -> out
@@ -176,7 +176,8 @@ module traversal
       .tile_write_i(store_valid_i), .tile_index_i({store_slot_i[SlotW-1:0], store_second_i}),
       .tile_node_i(store_node_i),
       .emit_i(emit || !brute_i),
-      .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(cast[i].hit), .work_o(cast[i].work), .fault_o(lane_fault[i]),
+      .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(cast[i].hit), .work_o(cast[i].work),
+      .fault_o(lane_fault[i]),
       .node_req_valid_o(line_valid_o[2*i]), .node_req_ready_i(line_ready_i[2*i]), .node_req_o(line_o[2*i]),
       .node_fill_valid_i(fill_valid_i[2*i]), .node_fill_ready_o(fill_ready_o[2*i]), .node_fill_i(fill_i),
       .leaf_req_valid_o(line_valid_o[2*i+1]), .leaf_req_ready_i(line_ready_i[2*i+1]), .leaf_req_o(line_o[2*i+1]),
