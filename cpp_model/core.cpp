@@ -82,7 +82,11 @@ WorkCounters& WorkCounters::operator+=(const WorkCounters& other) {
 
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options) {
   const Loaded loaded = load(job, windows);
-  if (loaded.error != ErrNone) return {.error = loaded.error, .errors = Errors(loaded.error).all};
+  if (loaded.error != ErrNone) {
+    Errors errors = loaded.error;
+    if (job.is_list && loaded.error == ErrPrimitive) errors += ray_errors(job, windows);
+    return {.error = errors.first, .errors = errors.all};
+  }
   if (job.is_list) return run_list(job, loaded, windows, options);
   std::vector<tile_t> tiles;
   for_each_tile(job, options.tile_log2, 1, [&](const tile_t& tile) { tiles.push_back(tile); });

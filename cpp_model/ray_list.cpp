@@ -23,6 +23,12 @@ error_t answer(std::uint64_t number, const job_t& job, const Loaded& loaded, con
 
 }  // namespace
 
+Errors ray_errors(const job_t& job, const Windows& windows) {
+  for (std::uint64_t i = 0; i < job.ray_count; ++i)
+    if (!ray_flags_ok(load_ray(windows.rays.data(), i))) return ErrRay;
+  return ErrNone;
+}
+
 Outcome run_list(const job_t& job, const Loaded& loaded, const Windows& windows, const RunOptions& options) {
   return in_parallel((job.ray_count + kPart - 1) / kPart, options, [&](std::size_t part, WorkCounters& counters) {
     const std::uint64_t end = std::min<std::uint64_t>((part + 1) * kPart, job.ray_count);

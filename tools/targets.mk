@@ -6,7 +6,8 @@ RENDER_SCENE ?= scenes/teapot.json
 RENDER_SIZE  ?= 320x240
 UNITS        ?=
 
-# numbered(goals): makes them; what it prints of each step says how many there are.
+# numbered(goals): makes them; what it prints of each step says how many there are. The + before its recipe
+# hands on the jobs: make does not look for $(MAKE) behind a call.
 numbered = $(MAKE) --no-print-directory $(1) | python3 tools/steps.py $$($(MAKE) -n $(1) 2> /dev/null | python3 tools/steps.py --count)
 
 help: ## list the targets
@@ -20,7 +21,7 @@ setup: ## install the Debian packages that are missing
 
 render: ## render the teapot on the Verilated core, compare with the model: build/teapot.png, .exr
 	@tools/setup.sh
-	@$(call numbered,programs)
+	@+$(call numbered,programs)
 	@$(MAKE) --no-print-directory render-run
 
 render-run: programs
@@ -33,7 +34,7 @@ test: ## everything that must pass: lint, units, model, small frames; ends with 
 
 # What does not build counts as failed, so the build goes on behind an error.
 test-run:
-	@built=0; $(call numbered,-k $(LINTS) programs tests) || built=1; \
+	@+built=0; $(call numbered,-k $(LINTS) programs tests) || built=1; \
 	 ok=$$(ls $(LINTS) 2> /dev/null | wc -l); echo "  lint: $$ok of $(words $(LINTS)) tops clean"; \
 	 python3 tools/run_tests.py -j $(JOBS) --passed $$ok --failed $$(($(words $(LINTS)) - ok + built)) $(TEST_PROGRAMS)
 
