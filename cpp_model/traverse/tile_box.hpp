@@ -8,7 +8,7 @@
 namespace castray {
 
 // How far a reported t may lie before the box, and so a ray beside it: docs/tile-start.md.
-inline constexpr std::int64_t kTileSlack = 9;  // steps
+inline constexpr std::int64_t kTileSlack = BoxMargin;  // steps
 
 // False only if no ray of the tile meets the box at t > 0.
 inline bool tile_box(const tile_bounds_t& bounds, const point_t& eye, const box_t& box) {

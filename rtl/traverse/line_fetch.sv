@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contexts go to lines of one section of the image, nodes or leaves, and get them from a cache, in any
-// order. They come from either of two steps and wait in a queue, so that whoever is sent here is
+// Contexts go to lines of one section of the image, nodes or leaves, and get them from a cache, in
+// any order. They come from either of two steps and wait in a queue, so that whoever is sent here is
 // taken. An index behind the section raises fault_o, and its context gets nothing.
 // From visit_valid_i to out_valid_o: 4 cycles for a line that the cache holds.
 module line_fetch

@@ -4,7 +4,7 @@
 //   s1  the box from the eye, on permuted axes; t0, t1: where it lies along the dominant axis
 //   s2  operands: for each of four sides the t that reaches farthest, and the plane to be reached
 //   s3  t slope                                         27 x 18, four DSPs
-//   s4  meets: t1 >= -9, and each product >= plane - 9, in steps (docs/tile-start.md)
+//   s4  meets: t1 >= -BoxMargin, and each product >= plane - BoxMargin (docs/tile-start.md)
 // One box a cycle, four cycles, never stalls.
 // Model: cpp_model/traverse/tile_box.hpp, equal bit for bit.
 module tile_box
@@ -22,7 +22,7 @@ module tile_box
   output logic         out_valid_o,
   output logic         meets_o
 );
-  localparam logic signed [CoordW+1:0] Slack = (CoordW+2)'(9);
+  localparam logic signed [CoordW+1:0] Slack = (CoordW+2)'(BoxMargin);
   typedef logic signed [CoordW+1:0]                wide_t;     // a delta and the slack
   typedef logic signed [CoordW+TileSlopeFrac+2:0]  product_t;
 

@@ -63,7 +63,7 @@ module tile_node
     end
   end
 
-  // ---- Grid: the eight bits from the extent's top one down, or one less fine where they are all ones ----
+  // ---- Grid: the eight bits from the extent's top one down, or one less fine if they are all ones ----
   function automatic plane_exp_t exp_of(coord_t extent);
     plane_exp_t exp;
     exp = '0;

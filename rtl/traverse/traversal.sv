@@ -112,7 +112,7 @@ module traversal
     .idle_o(brute_idle), .batch_o, .test_stall_o, .fetch_stall_o
   );
 
-  // ---- Hierarchy: what was dealt, by the tile's slot, or a list's turn; a queue before each lane ----
+  // ---- Hierarchy: what was dealt, by the tile's slot, or a list's turn; a queue for each lane ----
   localparam int unsigned SlotW     = $clog2(Slots);
   localparam int unsigned TileNodes = 2 << SlotW;
   typedef struct packed {
