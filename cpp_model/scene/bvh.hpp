@@ -12,7 +12,7 @@
 namespace castray {
 
 struct Bvh {
-  static constexpr std::uint32_t kLevels = 32;  // nodes from the root to the deepest one, at most
+  static constexpr std::uint32_t kLevels = MaxLevels;  // nodes from the root to the deepest one, at most
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   std::vector<node_t> nodes;                        // node 0 is the root

@@ -7,11 +7,9 @@
 
 namespace castray {
 
-inline constexpr int kStackDepth = 32;   // frames
-
 class FrameStack {
  public:
-  explicit FrameStack(int depth = kStackDepth) : depth_(depth) {}
+  explicit FrameStack(int depth = StackFrames) : depth_(depth) {}
 
   bool empty() const { return used_ == 0; }
   bool full() const { return used_ == depth_; }
@@ -20,7 +18,7 @@ class FrameStack {
   void drop() { --used_; }
 
  private:
-  std::array<frame_t, kStackDepth> frames_;
+  std::array<frame_t, StackFrames> frames_;
   int used_ = 0;
   int depth_;
 };

@@ -45,7 +45,7 @@ struct Tree {
   const image_header_t* header;
   steps_t limit;                     // nodes that a ray may visit
   std::span<const node_t> tile = {};
-  int stack_depth = kStackDepth;
+  int stack_depth = StackFrames;
 
   start_t root() const {
     start_t start;

@@ -17,7 +17,7 @@ inline visits_t visits_of(const start_t& start) {
 
 class Step {
  public:
-  explicit Step(steps_t limit, int stack_depth = kStackDepth) : limit_(limit), stack_(stack_depth) {}
+  explicit Step(steps_t limit, int stack_depth = StackFrames) : limit_(limit), stack_(stack_depth) {}
 
   enum class Next { Visit, Again, Done, Failed };
 

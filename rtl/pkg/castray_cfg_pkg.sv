@@ -71,6 +71,10 @@ package castray_cfg_pkg;
   localparam int unsigned PrimW = 21;
   // A reference's index of a node or a line: there are fewer than 2^22 of either. Fixed.
   localparam int unsigned LineW = 22;
+  // Frames of a ray's stack, and the levels of a hierarchy that they are enough for: a level leaves one frame at most, and a
+  // ray that starts at a tile's two nodes leaves one at each of two steps before it comes to the children of the root.
+  localparam int unsigned StackFrames = 32;
+  localparam int unsigned MaxLevels   = StackFrames - 1;
   // A context's number: up to 64 contexts a lane.
   localparam int unsigned CtxW = 6;
 

@@ -10,7 +10,7 @@ module frame_stack
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
   parameter int unsigned Contexts = DefaultContexts,
-  parameter int unsigned Depth    = 32,   // frames of a context
+  parameter int unsigned Depth    = StackFrames,   // of a context
   localparam int unsigned IdxW    = (Contexts > 1) ? $clog2(Contexts) : 1
 ) (
   input  logic            clk_i,

@@ -19,7 +19,7 @@ module step
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
   parameter int unsigned Contexts   = DefaultContexts,
-  parameter int unsigned StackDepth = 32
+  parameter int unsigned StackDepth = StackFrames
 ) (
   input  logic    clk_i,
   input  logic    rst_ni,

@@ -9,7 +9,7 @@ module step_pair
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
   parameter int unsigned Contexts   = DefaultContexts,
-  parameter int unsigned StackDepth = 32
+  parameter int unsigned StackDepth = StackFrames
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,

@@ -219,6 +219,7 @@ TEST_F(TileGather, StartsCleanAfterAReset) {
   for (const Unit& unit : kUnits) {
     for (int cycles = 3; cycles < 40; cycles += 5) {
       dut_->select_i = unit.select;
+      dut_.reset(1);   // the first tile gets slot 0
       const auto tiles = tiles_of({0, 0, 16, 16}, unit);
       for (int i = 0; i < cycles; ++i) {  // a tile's first pixels, and rows of it if it is small
         dut_->tile_valid_i = i == 0;

@@ -160,9 +160,22 @@ TEST_F(LaneImages, ALevelMoreThanTheStack) {
   image.bytes.resize(first + 64 * NodeBytes);
   image.header.nodes.count = 64;
   store_record(image.bytes.data(), image.header);
-  for (const std::uint64_t levels : {kStackDepth, kStackDepth + 1}) {
+  const auto chain = [&](std::uint64_t levels) {
     for (std::uint64_t i = 0; i < levels; ++i) put(i, everywhere({word(i + 1 < levels ? RefNode : RefLeaf, i + 1 < levels ? i + 1 : 0), word(RefLeaf, 0)}));
-    expect(levels == kStackDepth ? ErrNone : ErrStack, "a chain");
+  };
+  for (const std::int64_t levels : {StackFrames, StackFrames + 1}) {
+    chain(static_cast<std::uint64_t>(levels));
+    expect(levels == StackFrames ? ErrNone : ErrStack, "a chain from its root");
+  }
+  // From a frontier of two nodes, the first of which leads to the second level: as many levels as the host makes.
+  for (const std::int64_t levels : {MaxLevels, MaxLevels + 1}) {
+    chain(static_cast<std::uint64_t>(levels));
+    LaneTree lane(image, {}, 1);
+    lane.write_tile({everywhere({word(RefNode, 1), word(RefLeaf, 0)}), everywhere({word(RefLeaf, 0)})});
+    LaneRay ray = through(lane.tree);
+    ray.start.first.kind = ray.start.second.kind = RefTile;
+    ray.start.first.index = 0, ray.start.second.index = 1;
+    EXPECT_EQ(lane.expect_one(ray), levels == MaxLevels ? ErrNone : ErrStack) << levels << " levels from a frontier";
   }
 }
 
