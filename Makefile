@@ -16,6 +16,7 @@ CXX      := clang++
 CXXFLAGS := -std=c++20 -O3 -march=native -Wall -Wextra -Wno-unused-parameter -MMD -MP \
             -Icpp_model -Isim -I$(BUILD)/gen -isystem /usr/include/Imath
 
+include tools/venv.mk
 include tools/rtl.mk
 include tools/cpp.mk
 include tools/core.mk
