@@ -40,6 +40,7 @@ void add_render(CLI::App& app, Context& context);
 void add_ray(CLI::App& app, Context& context);
 void add_info(CLI::App& app, Context& context);
 void add_compare(CLI::App& app, Context& context);
+void add_compile(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);
 
 // All of them; never throws.

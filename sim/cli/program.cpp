@@ -41,6 +41,7 @@ int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim
   add_ray(app, context);
   add_info(app, context);
   add_compare(app, context);
+  add_compile(app, context);
   add_query(app, context);
   const auto named = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
