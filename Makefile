@@ -20,4 +20,5 @@ include tools/venv.mk
 include tools/rtl.mk
 include tools/cpp.mk
 include tools/core.mk
+include fpga/ultra96/board.mk
 include tools/targets.mk

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+# The Ultra96: its bitstream, and what of it is tested without Vivado (docs/board.md).
+BOARD_TOP := fpga/ultra96/castray_top.v
+LINTS     += $(BUILD)/lint/fpga/top_1port.ok $(BUILD)/lint/fpga/top_2ports.ok
+$(BUILD)/lint/fpga/top_1port.ok: PORTS_FLAG := -GPorts=1
+$(BUILD)/lint/fpga/top_2ports.ok: PORTS_FLAG := -GPorts=2
+$(BUILD)/lint/fpga/top_%.ok: $(BOARD_TOP) $(RTL) tools/waivers.vlt
+	$(call lint,castray_top,$(PORTS_FLAG) $<)
+
+# What the wrapper is once it is synthesised, for the tests.
+TOP_FACTS := $(BUILD)/fpga/top.facts
+$(TOP_FACTS): tb/fpga/top_facts.py $(BOARD_TOP) $(RTL) rtl/castray.f $(call venv,yosys)
+	@echo "  YOSYS castray_top"
+	@python3 $< $(YOSYS) -o $@
+
+# The registers as the packager wants them.
+BOARD_REGISTERS := $(BUILD)/ultra96/registers.tcl
+$(BOARD_REGISTERS): fpga/ultra96/register_list.py tools/sv_records.py $(PACKAGES) docs/register-map.md
+	@python3 $< $(PACKAGES) -o $@
