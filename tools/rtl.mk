@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # What is derived from the RTL: file lists, the C++ records, lint, and one verilated unit a test.
-RTL      := $(shell grep -v '^//' rtl/castray.f)
-PACKAGES := $(filter rtl/pkg/%,$(RTL))
-MODULES  := $(filter-out rtl/pkg/%,$(RTL))
+# CONFIG: the package of widths. For others: a copy of it, with a BUILD of its own (tools/width/).
+CONFIG   ?= rtl/pkg/castray_cfg_pkg.sv
+RTL      := $(patsubst rtl/pkg/castray_cfg_pkg.sv,$(CONFIG),$(shell grep -v '^//' rtl/castray.f))
+PACKAGES := $(filter %_pkg.sv,$(RTL))
+MODULES  := $(filter-out %_pkg.sv,$(RTL))
 RTL_DIRS := $(sort $(dir $(MODULES)))
 
 RECORDS := $(BUILD)/gen/castray_records.hpp

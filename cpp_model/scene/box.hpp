@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 
@@ -41,13 +42,23 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+// A reported point of a sphere lies no farther off its surface, on each axis, than kSphereSteps and a
+// 2^kSphereShift-th of the radius: docs/number-formats.md, "The margin of a box".
+inline constexpr int kSphereSteps = 6 + std::max(1, 1 << std::max<int>(HitDivW - BaryFrac - 3, 0));
+inline constexpr int kSphereShift = [] {
+  const auto bits = [](std::int64_t below) { return std::uint64_t{1} << (44 - below); };   // 2^-below in 44 fraction bits
+  const std::uint64_t share = 5 * bits(ShearFrac) + bits(HitDivW - 3) + bits(BaryFrac - 2) + (HitDivW < ShearFrac ? bits(HitDivW - 2) : 0);
+  return 44 - std::bit_width(share - 1);
+}();
+constexpr std::int64_t sphere_padding(std::int64_t radius) { return kSphereSteps + (radius >> kSphereShift); }
+
 inline Box padded_box(const prim_slot_t& slot) {
   const auto corner = [](const point_t& p) { return Box::Corner{std::int64_t(p.x), std::int64_t(p.y), std::int64_t(p.z)}; };
   Box box;
   box.add(corner(slot.a));
   if (slot.kind == std::uint64_t{KindSphere}) {
     const auto radius = static_cast<std::int64_t>(slot.b.x);
-    box.pad(radius + 7 + (radius >> 21));
+    box.pad(radius + sphere_padding(radius));
   } else {
     box.add(corner(slot.b));
     box.add(corner(slot.c));

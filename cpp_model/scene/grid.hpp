@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The grid of a scene image: positions are whole steps of 2^power scene units from a corner.
 #pragma once
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
 #include "castray_records.hpp"
+#include "scene/box.hpp"
 #include "scene/scene.hpp"
 
 namespace castray {
 
 struct Grid {
-  static constexpr double kMargin = 64;  // steps of the range that stay unused, half below, half above
+  // Steps of the range that stay unused, half below, half above: room for the padding of boxes.
+  static constexpr double kMargin = 2 * std::bit_ceil(std::uint64_t{sphere_padding((std::int64_t{1} << (CoordW - 1)) - 1)});
   static constexpr int kFinestPower = -100;
 
   int power = 0;

@@ -32,8 +32,9 @@ package castray_cfg_pkg;
   localparam int unsigned DistFrac = 2;
   // A tick is this power of two below the spacing of a node's planes across the dominant axis. 2 to 6.
   localparam int unsigned SubPlane = 3;
-  // Steps by which a hit may lie before or behind its box along the ray, docs/number-formats.md.
-  localparam int unsigned BoxMargin = ((1 << (CoordW + 1)) >> BaryFrac) + 1;
+  // Steps by which a hit may lie before or behind its box along the ray, and what a t loses when it is cut to
+  // whole steps: docs/number-formats.md, "The margin of a box".
+  localparam int unsigned BoxMargin = (((1 << (CoordW + 1)) - 1) >> BaryFrac) + 2;
   // Fraction bits of 1 + Sx^2 + Sy^2: without its top bit it is a shear of as many bits as another.
   localparam int unsigned NormFrac = ShearFrac - 2;
   // Fraction bits of a unit normal, a weight and a facing ratio. Fixed.

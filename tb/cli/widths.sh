@@ -1,58 +1,54 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The widths of rtl/pkg/castray_cfg_pkg.sv are parameters: in a copy of the sources with narrower ones
-# the whole core is clean under lint, the units of the lane equal their models, and widths that are
-# not possible are refused with a sentence. With --core a core of one lane is built too, and frames
-# compared with the model: some minutes.
+# The widths of rtl/pkg/castray_cfg_pkg.sv are parameters: with narrower ones the whole core is clean
+# under lint, the units of the lane equal their models, no box is dropped wrongly and the hierarchy finds
+# what brute force finds; widths that are not possible are refused with a sentence. With --core a core of
+# one lane is built too, and frames compared with the model: some minutes.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-copy=$(mktemp -d)
-trap 'rm -rf "$copy"' EXIT
-tar -c --exclude=./build --exclude=./.git . | tar -x -C "$copy"
-cd "$copy"
-config=rtl/pkg/castray_cfg_pkg.sv
+narrow="CoordW=22 ShearFrac=20 BaryFrac=15 TFrac=2 HitDivW=19 ShearDivW=24 SubPlane=5"
+coarse="CoordW=25 ShearFrac=16 BaryFrac=12 TFrac=3 HitDivW=26 ShearDivW=28 SubPlane=4"   # large errors beside large boxes
 
-set_width() { # name, value
-  grep -q "unsigned $1 = [0-9]*;" $config || { echo "$config has no width $1"; exit 1; }
-  sed -i "s/unsigned $1 = [0-9]*;/unsigned $1 = $2;/" $config
+at() { # folder under build/width, goals in it: made there
+  local folder=build/width/$1
+  make -s BUILD="$folder" CONFIG="$folder/castray_cfg_pkg.sv" "${@:2}"
 }
-
-set_width CoordW 22
-set_width ShearFrac 20
-set_width BaryFrac 15
-set_width TFrac 2
-set_width HitDivW 19
-set_width ShearDivW 24
-set_width SubPlane 5
-
-# What is not possible: a sentence, and no result.
-refuse() { # name, value, the legal value, words of the sentence
-  set_width "$1" "$2"
-  if make -s build/lint/isect/ray_prim.ok > refused.log 2>&1; then echo "$1 = $2 was not refused"; exit 1; fi
-  grep -q "$1 is $2, it must be $4" refused.log || { echo "$1 = $2 was refused otherwise:"; cat refused.log; exit 1; }
-  set_width "$1" "$3"
-}
-refuse CoordW 30 22 "20 to 26"
-refuse ShearFrac 27 20 "16 to 26"
-refuse HitDivW 16 19 "BaryFrac + 2 to 26"
-refuse TFrac 1 2 "2 to 4"
-refuse SubPlane 7 5 "2 to 6"
-
-make -s build/lint/castray_core.ok
-equal_their_models() { # units; cycles are counted at the usual widths
-  make -s $(printf 'build/unit/%s_test ' "$@")
-  for unit in "$@"; do
-    "build/unit/${unit}_test" --gtest_brief=1 --gtest_filter=-*.TakesTheseCycles > unit.log || { cat unit.log; exit 1; }
+widths() { python3 tools/width/set_widths.py "build/width/$1" "${@:2}"; }
+passes() { # folder, units: their tests pass; cycles are counted at the usual widths
+  local folder=build/width/$1 units=("${@:2}")
+  at "$1" "${library[@]}" $(printf "$folder/unit/%s_test " "${units[@]}")
+  for unit in "${units[@]}"; do
+    "$folder/unit/${unit}_test" --gtest_brief=1 --gtest_filter=-*.TakesTheseCycles > "$folder/unit.log" || { cat "$folder/unit.log"; exit 1; }
   done
 }
-equal_their_models traverse/lane isect/ray_prim isect/hit_unit isect/node_pipe camera/slab_setup
+# Of the library what makes images of scenes.
+library=("LIB_SOURCES=$(echo cpp_model/{core,loaded,ray_list}.cpp cpp_model/scene/{binary_tree,bvh,camera,collapse,compile,frame,grid}.cpp)")
+
+# What is not possible: a sentence, and no result.
+refuse() { # name, value, words of the sentence
+  widths refused $narrow "$1=$2"
+  if at refused build/width/refused/lint/isect/ray_prim.ok > build/width/refused.log 2>&1; then echo "$1 = $2 was not refused"; exit 1; fi
+  grep -q "$1 is $2, it must be $3" build/width/refused.log || { echo "$1 = $2 was refused otherwise:"; cat build/width/refused.log; exit 1; }
+}
+refuse CoordW 30 "20 to 26"
+refuse ShearFrac 27 "16 to 26"
+refuse HitDivW 16 "BaryFrac + 2 to 26"
+refuse TFrac 1 "2 to 4"
+refuse SubPlane 7 "2 to 6"
+
+widths narrow $narrow
+at narrow build/width/narrow/lint/castray_core.ok
+passes narrow traverse/lane isect/ray_prim isect/hit_unit isect/node_pipe camera/slab_setup isect/box_margin isect/node_culls
+widths coarse $coarse
+passes coarse isect/box_margin isect/node_culls scene/random_hierarchy
 
 if [[ ${1:-} == --core ]]; then
-  equal_their_models traverse/lane_tree
-  make -s build/castray build/cores/l1c32t3p1m0.so
+  passes narrow traverse/lane_tree scene/random_hierarchy
+  library=()
+  at narrow build/width/narrow/castray build/width/narrow/cores/l1c32t3p1m0.so
   for scene in cube spheres; do
     for mode in bvh brute; do
-      build/castray render "scenes/$scene.json" --mode $mode --lanes 1 --ports 1 --l2 0 --size 48x32 --check -o picture.png
+      build/width/narrow/castray render "scenes/$scene.json" --mode $mode --lanes 1 --ports 1 --l2 0 --size 48x32 --check -o build/width/narrow/picture.png
     done
   done
 fi
