@@ -21,4 +21,5 @@ include tools/rtl.mk
 include tools/cpp.mk
 include tools/core.mk
 include fpga/ultra96/board.mk
+include tools/python.mk
 include tools/targets.mk

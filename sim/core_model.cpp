@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-
 namespace castray::sim {
 namespace {
 
@@ -33,8 +32,8 @@ std::string text_of(const CoreVariant& variant) {
          count(variant.ports, "port") + ", " + (variant.l2_kbytes ? "L2 of " + std::to_string(variant.l2_kbytes) + " KB" : "no L2");
 }
 
-std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed) {
-  const std::filesystem::path file = cores_folder() / variant.file();
+std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed, const std::string& cores) {
+  const std::filesystem::path file = (cores.empty() ? cores_folder() : std::filesystem::path(cores)) / variant.file();
   if (!std::filesystem::exists(file))
     throw std::invalid_argument("no core of " + text_of(variant) + " was built: make build/cores/" + variant.file());
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded

@@ -46,8 +46,9 @@ class CoreModel {
 using CoreFactory = CoreModel* (*)(std::uint64_t seed);
 inline constexpr const char* kCoreFactory = "castray_make_core";
 
-// Throws std::invalid_argument with the command that builds it if this variant was not built.
-std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed);
+// From a folder of variants; an empty name: the folder `cores` beside the program. Throws std::invalid_argument
+// with the command that builds it if this variant was not built.
+std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed, const std::string& cores = {});
 std::string text_of(const CoreVariant& variant);
 
 }  // namespace castray::sim

@@ -13,6 +13,7 @@ namespace castray::sim {
 
 struct RtlOptions {
   CoreVariant variant;
+  std::string cores;                   // the folder of the variants; empty: beside the program
   AxiTiming timing;
   std::string stalls = "none";
   std::uint64_t seed = 1;

@@ -4,10 +4,11 @@ LIB_SOURCES := $(shell find cpp_model -name '*.cpp' | sort)
 LIB_OBJECTS := $(LIB_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 LIB         := $(BUILD)/libcastray.a
 
+# -fPIC: the Python package's shared library takes the same objects.
 $(BUILD)/obj/%.o: %.cpp $(RECORDS)
 	@mkdir -p $(@D)
 	@echo "  CXX   $<"
-	@$(CXX) $(CXXFLAGS) -c $< -o $@
+	@$(CXX) $(CXXFLAGS) -fPIC -c $< -o $@
 
 $(LIB): $(LIB_OBJECTS)
 	@rm -f $@
