@@ -4,6 +4,7 @@ rtl/pkg/castray_cfg_pkg.sv
 rtl/pkg/castray_pkg.sv
 rtl/pkg/castray_image_pkg.sv
 rtl/pkg/castray_reg_pkg.sv
+rtl/prim/clock_gate.sv
 rtl/prim/credit.sv
 rtl/prim/free_list.sv
 rtl/prim/pair_fifo.sv

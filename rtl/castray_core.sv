@@ -19,7 +19,8 @@ module castray_core
   parameter int unsigned TileLog2    = DefaultTileLog2,
   parameter int unsigned AttrEntries = DefaultAttrEntries,
   parameter int unsigned Ports       = DefaultPorts,
-  parameter int unsigned L2Kbytes    = DefaultL2Kbytes
+  parameter int unsigned L2Kbytes    = DefaultL2Kbytes,
+  parameter bit          GateClocks  = 1'b0   // of units at rest: simulations are faster, nothing else changes
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
@@ -98,6 +99,7 @@ module castray_core
   image_header_t header;
   frame_record_t record;
   camera_t       camera;
+  logic          tree_clk, camera_clk, shading_clk;   // clk_i, or gated
 
   axi_lite_regs #(.Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2)) u_regs (
     .clk_i, .rst_ni,
@@ -158,7 +160,7 @@ module castray_core
   line_fill_t        fill;
 
   line_memory #(.Clients(Caches), .Ports(Ports), .L2Lines(L2Kbytes * 1024 / LineBytes)) u_line_memory (
-    .clk_i, .rst_ni(datapath_rst_n), .base_i(job.image), .hit_o(l2_hit), .miss_o(l2_miss),
+    .clk_i(tree_clk), .rst_ni(datapath_rst_n), .base_i(job.image), .hit_o(l2_hit), .miss_o(l2_miss),
     .req_valid_i(cache_valid), .req_ready_o(cache_ready), .req_i(cache_req),
     .fill_valid_o(fill_valid), .fill_ready_i(fill_ready), .fill_o(fill),
     .read_valid_o(line_valid), .read_ready_i(line_ready), .read_o(line_read),
@@ -215,7 +217,7 @@ module castray_core
   );
 
   ray_source #(.Lanes(Lanes), .TileLog2(TileLog2), .Slots(Slots)) u_ray_source (
-    .clk_i, .rst_ni(datapath_rst_n),
+    .clk_i(camera_clk), .rst_ni(datapath_rst_n),
     .start_i(walk_start && !job.is_list), .job_i(job), .camera_i(camera), .root_i(root),
     .nodes_i(tree.node_base), .node_count_i(tree.node_count), .fault_o(source_fault),
     .walk_done_o(walk_done), .none_in_setup_o(none_in_setup), .exhausted_o(exhausted),
@@ -239,7 +241,9 @@ module castray_core
   logic             hit_valid, hit_ready, traversal_idle, coloured, shading_idle;
   cast_t            cast;
 
-  traversal #(.Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2), .Slots(Slots)) u_traversal (
+  traversal #(
+    .Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2), .Slots(Slots), .GateClocks(GateClocks)
+  ) u_traversal (
     .clk_i, .rst_ni(datapath_rst_n),
     .is_list_i(job.is_list), .brute_i(job.brute), .tree_i(tree), .root_i(root),
     .lines_i(job.image + addr_t'(header.lines.offset)), .fault_o(lane_fault),
@@ -262,7 +266,7 @@ module castray_core
   assign fault = (list_fault != ErrNone) ? list_fault : (source_fault != ErrNone) ? source_fault : lane_fault;
 
   shading #(.TileLog2(TileLog2), .Slots(Slots), .AttrEntries(AttrEntries)) u_shading (
-    .clk_i, .rst_ni(datapath_rst_n),
+    .clk_i(shading_clk), .rst_ni(datapath_rst_n),
     .job_i(job), .record_i(record), .eye_i(camera.eye),
     .attributes_i(job.image + addr_t'(header.attributes.offset)),
     .tile_valid_i(tile_valid), .tile_ready_o(tile_ready), .tile_i(tile), .tile_slot_o(tile_slot),
@@ -277,6 +281,26 @@ module castray_core
     .coloured_o(coloured), .idle_o(shading_idle), .attr_hit_o(attr_hit), .attr_miss_o(attr_miss)
   );
   assign empty = traversal_idle && shading_idle;
+
+  // ---- Clocks of what rests by brute force: the caches always, camera and shading between the rays ----
+  localparam int unsigned Settle = 4095;   // more cycles than what is inside them takes to come to rest
+  logic camera_awake, shading_awake;
+  assign camera_awake  = !datapath_rst_n || !job.brute || walk_start || (tile_valid && tile_ready)
+                         || (list_valid && list_ready) || (ray_valid && ray_ready) || (miss_valid && miss_ready)
+                         || (back_valid && back_ready) || deal_valid;
+  assign shading_awake = !datapath_rst_n || !job.brute || (tile_valid && tile_ready)
+                         || (hit_valid && hit_ready) || (back_valid && back_ready)
+                         || (read_valid[ReadAttribute] && read_ready[ReadAttribute]) || rsp_valid[ReadAttribute]
+                         || (write_valid & write_ready) != '0;
+  clock_gate #(.Gated(GateClocks)) u_tree_clock (
+    .clk_i, .awake_i(!datapath_rst_n || !job.brute), .clk_o(tree_clk)
+  );
+  clock_gate #(.Gated(GateClocks), .Settle(Settle)) u_camera_clock (
+    .clk_i, .awake_i(camera_awake), .clk_o(camera_clk)
+  );
+  clock_gate #(.Gated(GateClocks), .Settle(Settle)) u_shading_clock (
+    .clk_i, .awake_i(shading_awake), .clk_o(shading_clk)
+  );
 
   // ---- Counters ----
   lane_sums_t           sums;

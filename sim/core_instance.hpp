@@ -109,6 +109,8 @@ template <class V> class CoreInstance final : public CoreModel {
     context_->assertOn(true);
   }
 
+  bool has_waves() const override { return kWaves; }
+
   void trace(const std::string& file, std::uint64_t first, std::uint64_t last) override {
     trace_file_ = file;
     trace_first_ = first;
@@ -118,6 +120,8 @@ template <class V> class CoreInstance final : public CoreModel {
   std::uint64_t cycle() const override { return cycle_; }
 
  private:
+  static constexpr bool kWaves = requires(V& top, VerilatedFstC* fst) { top.trace(fst, 99); };
+
   // ---- Signals ----
   void lite_idle() {
     V& v = *top_;
@@ -225,8 +229,7 @@ template <class V> class CoreInstance final : public CoreModel {
     }
     if (!fst_) {
       fst_ = std::make_unique<VerilatedFstC>();
-      if constexpr (requires { top_->trace(fst_.get(), 99); }) top_->trace(fst_.get(), 99);
-      else throw std::runtime_error("this core was built without waveforms");
+      if constexpr (kWaves) top_->trace(fst_.get(), 99);
       fst_->open(trace_file_.c_str());
       if (!fst_->isOpen()) throw std::runtime_error(trace_file_ + ": cannot write the waveforms");
     }

@@ -21,9 +21,9 @@ std::filesystem::path cores_folder() {
 
 }  // namespace
 
-std::string CoreVariant::file() const {
+std::string CoreVariant::file(bool waves) const {
   return "l" + std::to_string(lanes) + "c" + std::to_string(contexts) + "t" + std::to_string(tile_log2) + "p" +
-         std::to_string(ports) + "m" + std::to_string(l2_kbytes) + ".so";
+         std::to_string(ports) + "m" + std::to_string(l2_kbytes) + (waves ? "w.so" : ".so");
 }
 
 std::string text_of(const CoreVariant& variant) {
@@ -32,15 +32,19 @@ std::string text_of(const CoreVariant& variant) {
          count(variant.ports, "port") + ", " + (variant.l2_kbytes ? "L2 of " + std::to_string(variant.l2_kbytes) + " KB" : "no L2");
 }
 
-std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed, const std::string& cores) {
-  const std::filesystem::path file = (cores.empty() ? cores_folder() : std::filesystem::path(cores)) / variant.file();
+std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed, bool waves, const std::string& cores) {
+  std::filesystem::path file = (cores.empty() ? cores_folder() : std::filesystem::path(cores)) / variant.file(waves);
+  if (waves && !std::filesystem::exists(file)) file.replace_filename(variant.file());
   if (!std::filesystem::exists(file))
-    throw std::invalid_argument("no core of " + text_of(variant) + " was built: make build/cores/" + variant.file());
+    throw std::invalid_argument("no core of " + text_of(variant) + " was built: make build/cores/" + variant.file(waves));
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);  // stays loaded
   if (!library) throw std::runtime_error(dlerror());
   const auto factory = reinterpret_cast<CoreFactory>(dlsym(library, kCoreFactory));
   if (!factory) throw std::runtime_error(dlerror());
-  return std::unique_ptr<CoreModel>(factory(seed));
+  std::unique_ptr<CoreModel> core(factory(seed));
+  if (waves && !core->has_waves())
+    throw std::invalid_argument("the core of " + text_of(variant) + " was built without waveforms: make build/cores/" + variant.file(true));
+  return core;
 }
 
 }  // namespace castray::sim

@@ -22,7 +22,7 @@ struct CoreVariant {
   int l2_kbytes = DefaultL2Kbytes;
   auto operator<=>(const CoreVariant&) const = default;
 
-  std::string file() const;  // l3c32t3p2m128.so
+  std::string file(bool waves = false) const;  // l3c32t3p2m128.so; l3c32t3p2m128w.so, built with waveforms
 };
 
 class CoreModel {
@@ -37,7 +37,8 @@ class CoreModel {
   virtual std::uint32_t read_reg(MemoryPorts& memory, unsigned offset) = 0;
 
   virtual void reset(MemoryPorts& memory, unsigned cycles) = 0;
-  // Waveforms (FST) of the cycles first <= cycle < last, counted since construction.
+  virtual bool has_waves() const = 0;
+  // With has_waves: waveforms (FST) of the cycles first <= cycle < last, counted since construction.
   virtual void trace(const std::string& file, std::uint64_t first, std::uint64_t last) = 0;
   virtual std::uint64_t cycle() const = 0;
 };
@@ -47,8 +48,8 @@ using CoreFactory = CoreModel* (*)(std::uint64_t seed);
 inline constexpr const char* kCoreFactory = "castray_make_core";
 
 // From a folder of variants; an empty name: the folder `cores` beside the program. Throws std::invalid_argument
-// with the command that builds it if this variant was not built.
-std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed, const std::string& cores = {});
+// with the command that builds it if this variant, or one with waveforms, was not built.
+std::unique_ptr<CoreModel> make_core(const CoreVariant& variant, std::uint64_t seed, bool waves = false, const std::string& cores = {});
 std::string text_of(const CoreVariant& variant);
 
 }  // namespace castray::sim

@@ -14,7 +14,7 @@ constexpr unsigned kResetCycles = 8;
 
 RtlDevice::RtlDevice(const RtlOptions& options)
     : options_(options), memory_(storage_, options.timing, options.stalls, options.seed, options.variant.ports),
-      core_(make_core(options.variant, options.seed, options.cores)) {
+      core_(make_core(options.variant, options.seed, !options.trace_file.empty(), options.cores)) {
   if (!options.trace_file.empty()) core_->trace(options.trace_file, options.trace_first, options.trace_last);
   reset();
 }

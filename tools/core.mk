@@ -2,7 +2,8 @@
 # The simulator: the core Verilated once for each variant, the programs that drive it, their tests.
 #
 # A variant is named by its parameters: l3c32t3p2m128 has 3 lanes, 32 contexts each and tiles of 2^3 pixels
-# a side. build/cores/<variant>.so is loaded by name when a program asks for it.
+# a side. build/cores/<variant>.so is loaded by name when a program asks for it. <variant>w.so is the same core
+# with waveforms, which cost time even while nothing is written.
 default_of   = $(shell sed -n 's/.*unsigned Default$(1) *= \([0-9]*\);.*/\1/p' rtl/pkg/castray_cfg_pkg.sv)
 CORES_RENDER := l$(call default_of,Lanes)c$(call default_of,Contexts)t$(call default_of,TileLog2)p$(call default_of,Ports)m$(call default_of,L2Kbytes)
 CORES_TEST   := l1c32t3p1m0 l2c32t3p1m128 l3c32t3p2m128 l4c32t3p2m128
@@ -14,19 +15,21 @@ LINTS    += $(BUILD)/lint/sim.ok
 $(BUILD)/lint/sim.ok: $(CORE_RTL) tools/waivers.vlt
 	$(call lint,castray_core,$(filter-out $(PACKAGES),$(CORE_RTL)))
 
-# The variant that is built with assertions: every stream's contract is checked while it runs.
+# The variant that is built with assertions (every stream's contract is checked while it runs) and waveforms,
+# and with the clocks of hardware: in the others those of units at rest stand still (rtl/prim/clock_gate.sv).
 CORES_CHECKED := l1c32t3p1m0
+with_waves     = $(filter $(CORES_CHECKED) %w,$(1))
 # Parameters of a variant by its name: l3c32t3p2m128 -> -GLanes=3 -GContexts=32 -GTileLog2=3 -GPorts=2 -GL2Kbytes=128
-core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts= -GL2Kbytes=,$(wordlist 1,5,$(subst l,,$(subst m, ,$(subst p, ,$(subst t, ,$(subst c, ,$(1))))))))
+core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts= -GL2Kbytes=,$(wordlist 1,5,$(subst l,,$(subst m, ,$(subst p, ,$(subst t, ,$(subst c, ,$(1:%w=%))))))))
 
 # The waveform writer first and with -O1: it is two thirds of the code and seldom runs. OPT_FAST,
 # because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
 $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@mkdir -p $(@D)
 	@echo "  VERILATE castray_core $*"
-	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) --trace-fst --prefix Vcastray_core --Mdir $(@D) \
+	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) $(if $(call with_waves,$*),--trace-fst,-GGateClocks=1\'b1) --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
-	@cd $(@D) && for step in "$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1" "Vcastray_core__ALL.a=-O3 -march=native"; do \
+	@cd $(@D) && for step in $(if $(call with_waves,$*),"$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1") "Vcastray_core__ALL.a=-O3 -march=native"; do \
 	  MAKEFLAGS= make -f Vcastray_core.mk -j$(JOBS) $${step%%=*} CXX=$(CXX) USER_CPPFLAGS="-fPIC -fvisibility=hidden" \
 	    OPT_FAST="$${step#*=}" OPT_SLOW="-O0" OPT_GLOBAL="-O1"; \
 	  done | python3 $(CURDIR)/tools/steps.py --compiled "$$(ls *.cpp | wc -l)" "castray_core $*"

@@ -20,6 +20,7 @@ module lane
   parameter int unsigned NodeLines = 512,   // of the caches
   parameter int unsigned LeafLines = 512,
   parameter int unsigned TileNodes = 32,    // nodes of tiles' frontiers
+  parameter bit          GateClocks = 1'b0,
   localparam int unsigned TileW    = $clog2(TileNodes)
 ) (
   input  logic             clk_i,
@@ -114,7 +115,10 @@ module lane
     .out_axis_o(hit_o.axis), .out_neg_o(hit_o.neg), .out_any_hit_o(hit_o.any_hit)
   );
 
-  // ---- Steps through the hierarchy ----
+  // ---- Steps through the hierarchy; by brute force these units rest, and so may their clock ----
+  logic tree_clk;
+  clock_gate #(.Gated(GateClocks)) u_tree_clock (.clk_i, .awake_i(hierarchy_i || !rst_ni), .clk_o(tree_clk));
+
   logic       node_done, leaf_done;
   ctx_t       node_done_ctx, leaf_done_ctx;
   visits_t    visits;
@@ -126,7 +130,7 @@ module lane
   assign step_ctx = '{IdxW'(ask_ctx[0]), IdxW'(ask_ctx[1])};
 
   step_pair #(.Contexts(Contexts)) u_step (
-    .clk_i, .rst_ni, .limit_i(tree_i.limit),
+    .clk_i(tree_clk), .rst_ni, .limit_i(tree_i.limit),
     .start_valid_i(hierarchy_i && ray_valid_i && may_enter), .start_ready_o(start_ready),
     .start_ctx_i(free_ctx), .start_i(ray_i.valid ? start_i : start_t'('0)),
     .node_valid_i(node_done), .node_ctx_i(node_done_ctx), .node_i(visits),
@@ -142,7 +146,7 @@ module lane
   error_t node_fault;
 
   node_visits #(.Contexts(Contexts), .Lines(NodeLines), .TileNodes(TileNodes)) u_nodes (
-    .clk_i, .rst_ni, .base_i(tree_i.node_base), .count_i(tree_i.node_count),
+    .clk_i(tree_clk), .rst_ni, .base_i(tree_i.node_base), .count_i(tree_i.node_count),
     .visit_valid_i(to_node), .visit_ctx_i(next_ctx), .visit_ref_i(target),
     .tile_write_i, .tile_index_i, .tile_node_i,
     .ray_ctx_o(node_ctx), .ray_i(node_ray), .t_i(node_t_near),
@@ -162,7 +166,7 @@ module lane
   ctx_t       over_ctx [2];
 
   line_fetch #(.Contexts(Contexts), .Lines(LeafLines), .Fault(ErrLeaf)) u_leaves (
-    .clk_i, .rst_ni, .base_i(tree_i.leaf_base), .count_i(tree_i.leaf_count),
+    .clk_i(tree_clk), .rst_ni, .base_i(tree_i.leaf_base), .count_i(tree_i.leaf_count),
     .visit_valid_i(to_leaf), .visit_ctx_i(next_ctx), .visit_ref_i(target),
     .out_valid_o(line_valid), .out_ready_i(line_ready), .out_ctx_o(line_ctx), .out_index_o(), .out_data_o(line),
     .fault_o(leaf_fault),
@@ -172,7 +176,7 @@ module lane
   );
 
   leaf_tests #(.Contexts(Contexts)) u_leaf_tests (
-    .clk_i, .rst_ni, .primitives_i(tree_i.primitives),
+    .clk_i(tree_clk), .rst_ni, .primitives_i(tree_i.primitives),
     .line_valid_i(line_valid), .line_ready_o(line_ready), .line_ctx_i(line_ctx), .line_i(line),
     .ignore_i(look_ignore),
     .test_valid_o(leaf_test), .test_ready_i(test_ready_o), .test_ctx_o(leaf_test_ctx), .test_prim_o(leaf_prim),

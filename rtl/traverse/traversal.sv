@@ -18,7 +18,8 @@ module traversal
   parameter int unsigned Lanes    = DefaultLanes,
   parameter int unsigned Contexts = DefaultContexts,
   parameter int unsigned TileLog2 = DefaultTileLog2,
-  parameter int unsigned Slots    = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)
+  parameter int unsigned Slots    = tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2),
+  parameter bit          GateClocks = 1'b0
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
@@ -119,16 +120,18 @@ module traversal
     lane_no_t   lane;
     logic [1:0] start;
   } dealt_t;
+  logic             tree_clk;
   dealt_t           dealt_q [1 << SlotW];
   logic [Lanes-1:0] queue_ready, to_lane, queue_valid;
   ray_t             queued [Lanes];
   lane_no_t         in_lane, turn;
 
-  always_ff @(posedge clk_i) begin
+  clock_gate #(.Gated(GateClocks)) u_tree_clock (.clk_i, .awake_i(!brute_i || !rst_ni), .clk_o(tree_clk));
+  always_ff @(posedge tree_clk) begin
     if (deal_valid_i) dealt_q[deal_i.tile.slot[SlotW-1:0]] <= '{lane: deal_lane_i, start: deal_i.start};
   end
   list_turn #(.Lanes(Lanes)) u_list_turn (
-    .clk_i, .rst_ni, .taken_i(is_list_i && !brute_i && in_valid_i && in_ready_o), .lane_o(turn)
+    .clk_i(tree_clk), .rst_ni, .taken_i(is_list_i && !brute_i && in_valid_i && in_ready_o), .lane_o(turn)
   );
   assign in_lane    = is_list_i ? turn : dealt_q[in_i.tag.slot[SlotW-1:0]].lane;
   assign in_ready_o = brute_i ? dealt_ready : |(queue_ready & to_lane);
@@ -163,11 +166,11 @@ module traversal
     assign left_o[i]    = !brute_i && ray_valid[i] && ray_ready[i];
 
     stream_fifo #(.data_t(ray_t), .Depth(ray_queue(TileLog2))) u_queue (
-      .clk_i, .rst_ni, .used_o(),
+      .clk_i(tree_clk), .rst_ni, .used_o(),
       .valid_i(in_valid_i && !brute_i && to_lane[i]), .ready_o(queue_ready[i]), .data_i(in_i),
       .valid_o(queue_valid[i]), .ready_i(left_o[i]), .data_o(queued[i])
     );
-    lane #(.Contexts(Contexts), .TileNodes(TileNodes)) u_lane (
+    lane #(.Contexts(Contexts), .TileNodes(TileNodes), .GateClocks(GateClocks)) u_lane (
       .clk_i, .rst_ni, .hierarchy_i(!brute_i), .tree_i,
       .fill_i(fill || !brute_i), .ray_valid_i(ray_valid[i]), .ray_ready_o(ray_ready[i]), .ray_i(ray),
       .start_i(start_of(is_list_i ? TileRoot : dealt_q[tile_slot].start, tile_slot, root_i)),

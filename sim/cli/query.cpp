@@ -247,7 +247,7 @@ void add_query(CLI::App& app, Context& context) {
   command->add_flag("--raw", args->raw, "rays are records of 64 bytes, on the grid of the scene's frame, and answers are hit records of 32");
   command->add_flag("--check", args->check, "compare every hit record with the model");
   command->add_option("--only", args->only, "only this ray, counted from 0, on the grid of all");
-  command->add_option("--trace", args->trace, "waveforms (FST) of --only one ray");
+  command->add_option("--trace", args->trace, "waveforms (FST) of --only one ray; a core with waveforms: make build/cores/l3c32t3p2m128w.so");
   command->callback([args, &context] { context.code = Query(*args, context).run(); });
 }
 

@@ -104,7 +104,7 @@ void add_ray(CLI::App& app, Context& context) {
   command->add_option("x", args->x, "column of the pixel, from the left")->required();
   command->add_option("y", args->y, "row of the pixel, from the top")->required();
   args->core.add_to(*command);
-  command->add_option("--trace", args->trace, "waveforms (FST) of the run");
+  command->add_option("--trace", args->trace, "waveforms (FST) of the run; a core with waveforms: make build/cores/l3c32t3p2m128w.so");
   command->add_option("--limit", args->limit, "items of a stage that are shown in full")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->callback([args, &context] { context.code = ray(*args, context.run_rtl); });
 }

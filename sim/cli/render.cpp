@@ -58,6 +58,7 @@ class Render {
                    {"--hits", args_.hits, sim::check_writable}, {"--nodes-map", args_.nodes_map, sim::check_picture},
                    {"--tests-map", args_.tests_map, sim::check_picture}, {"--save-scene", args_.save_scene, sim::check_writable},
                    {"--trace", args_.trace, sim::check_writable}}, scene_);
+    if (!args_.trace.empty()) sim::make_core(args_.core.options().variant, 0, true);  // without waveforms, fails before the frame
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
     report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", args_.core.mode},
                {"commit", kCommit}, {"width", scene_.width}, {"height", scene_.height},
@@ -260,7 +261,8 @@ void add_render(CLI::App& app, Context& context) {
   command->add_flag("--check", args->check, "compare every pixel and every raw hit record with the model");
   command->add_flag("--against-float64", args->float64, "count the pixels that differ from the float64 reference");
   command->add_flag("--z-order", args->z_order, "walk the tiles along a Z curve, not in rows");
-  command->add_option("--trace", args->trace, "waveforms (FST): of --trace-window, or with --check of the first pixel that differs");
+  command->add_option("--trace", args->trace, "waveforms (FST): of --trace-window, or with --check of the first pixel that differs; "
+                      "a core with waveforms: make build/cores/l3c32t3p2m128w.so");
   command->add_option("--trace-window", args->trace_window, "FIRST:LAST, cycles since power-up");
   command->callback([args, &context] { context.code = Render(*args, context).run(); });
 }

@@ -45,6 +45,8 @@ inline std::vector<std::string> shell_words(const std::string& line) {
 
 class CommandLine : public FolderTest {
  protected:
+  // The core that the tests build with waveforms (CORES_CHECKED in tools/core.mk).
+  static constexpr const char* kWithWaves = " --lanes 1 --ports 1 --l2 0";
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string file(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;

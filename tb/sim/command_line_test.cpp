@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The program from outside: bad input ends with one line that names file, place and cause, with the
 // documented exit code, and with no picture; good input with all that was asked for.
-// Cores: l3c32t3p2m128
+// Cores: l1c32t3p1m0 l3c32t3p2m128
 #include <nlohmann/json.hpp>
 
 #include "command_line.hpp"
@@ -99,7 +99,7 @@ TEST_F(CommandLine, RendersChecksAndReports) {
 }
 
 TEST_F(CommandLine, ShowsARay) {
-  const Outcome outcome = run("ray scenes/spheres.json 12 8 --size 24x16 --trace " + path("ray.fst"));
+  const Outcome outcome = run("ray scenes/spheres.json 12 8 --size 24x16 --trace " + path("ray.fst") + kWithWaves);
   EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
   for (const char* stage : {"ray_gen", "ray_setup", "ray_prim", "hit_unit", "lane", "shade", "hit record", "float64", "0 values differ"})
     EXPECT_NE(outcome.out.find(stage), std::string::npos) << stage;
@@ -112,8 +112,13 @@ TEST_F(CommandLine, ARayThatMissesDiffersInNothing) {
   for (const char* words : {"float64: primitive -1", "0 values differ"}) EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
 }
 
+TEST_F(CommandLine, ACoreWithoutWaveformsIsNamedBeforeTheFrame) {
+  for (const std::string command : {"render scenes/cube.json --check -o " + path("a.png"), std::string("ray scenes/cube.json 1 1 --size 8x8")})
+    expect_refused(command + " --trace " + path("a.fst"), 2, {"without waveforms", "make build/cores/l3c32t3p2m128w.so"});
+}
+
 TEST_F(CommandLine, TracesAWindow) {
-  const std::string command = "render scenes/cube.json --size 8x8 -o " + path("a.png") + " --trace " + path("a.fst");
+  const std::string command = "render scenes/cube.json --size 8x8 -o " + path("a.png") + " --trace " + path("a.fst") + kWithWaves;
   ASSERT_EQ(run(command + " --trace-window 100:400").code, 0);
   const auto small = fs::file_size(path("a.fst"));
   EXPECT_GT(small, 1000u);

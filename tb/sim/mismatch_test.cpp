@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A core that errs: castray render --check names the pixel, both values and the command that replays
 // the ray, traces it where asked to, and ends with its exit code; castray ray shows the value too.
-// Cores: l3c32t3p2m128
+// Cores: l1c32t3p1m0 l3c32t3p2m128
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -117,17 +117,17 @@ TEST_F(Mismatch, TracesTheFirstPixelThatDiffers) {
     for (const int x : {7, 5}) r.pixels[r.index(x, 4)] ^= 1;
   });
   // castray ray starts at the root, as its one ray has no tile.
-  const Outcome outcome = render(core, "--mode bvh_root --trace " + path("a.fst"));
+  const Outcome outcome = render(core, "--mode bvh_root --trace " + path("a.fst") + kWithWaves);
   EXPECT_EQ(outcome.code, cli::kMismatch) << outcome.err;
   expect_lines(outcome.out, {"wrote " + path("a.fst") + ", the waveforms of pixel (5, 4)"});
   EXPECT_EQ(made(), (std::set<std::string>{"a.png", "a.fst"}));
   const auto size = fs::file_size(path("a.fst"));
-  ASSERT_EQ(run("ray " + cli::shell_word(scene_) + " 5 4 --size 16x12 --trace " + path("ray.fst")).code, 0);
+  ASSERT_EQ(run("ray " + cli::shell_word(scene_) + " 5 4 --size 16x12 --trace " + path("ray.fst") + kWithWaves).code, 0);
   EXPECT_EQ(size, fs::file_size(path("ray.fst"))) << "not the waveforms of that pixel alone";
 }
 
 TEST_F(Mismatch, TracesNothingWhereNothingDiffers) {
-  EXPECT_EQ(render(sim::run_rtl, "--trace " + path("a.fst")).code, cli::kOk);
+  EXPECT_EQ(render(sim::run_rtl, "--trace " + path("a.fst") + kWithWaves).code, cli::kOk);
   EXPECT_EQ(made(), std::set<std::string>{"a.png"});
 }
 

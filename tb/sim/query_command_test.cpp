@@ -129,7 +129,7 @@ TEST_F(QueryCommand, TheSimulatedCoreAgreesWithTheModel) {
 
 TEST_F(QueryCommand, WaveformsOfOneRay) {
   const std::string ask = kTeapot + "-o " + path("a.csv") + " --only 2 --check";
-  const Outcome outcome = run(ask + " --trace " + path("a.fst"));
+  const Outcome outcome = run(ask + " --trace " + path("a.fst") + kWithWaves);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_GT(fs::file_size(path("a.fst")), 1000u);
   EXPECT_EQ(table(read(path("a.csv"))), table(run(kTeapot + "--engine model --only 2").out));
