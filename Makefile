@@ -20,6 +20,7 @@ include tools/venv.mk
 include tools/rtl.mk
 include tools/cpp.mk
 include tools/core.mk
+include tools/formal.mk
 include fpga/ultra96/board.mk
 include tools/python.mk
 include tools/targets.mk

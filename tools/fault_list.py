@@ -5,6 +5,7 @@
 A fault is {"unit", "file", "old", "new", "why"}: in `file` the text `old`, which stands there exactly
 once, becomes `new`, and the test of `unit` must fail. tb/faults/<folder>.json lists those of the units
 of that folder. A file that has a test of its own is tried by that test, another by one that contains it.
+Those of formal.json are for the proofs of tb/formal, which plant them themselves: tools/formal/prove.py.
 """
 import json
 import pathlib
@@ -20,7 +21,9 @@ def load(root=ROOT):
 
 
 def test_of(root, unit):
-    """What runs as the unit's test: the program that is built from it, or a script; None: there is none."""
+    """What runs as the unit's test: the program that is built from it, a script or a proof; None: there is none."""
+    if (root / f"tb/{unit}_proof.sv").exists():
+        return f"tb/{unit}_proof.sv"
     if (root / f"tb/{unit}_test.cpp").exists():
         return f"build/unit/{unit}_test"
     return f"tb/{unit}.sh" if (root / f"tb/{unit}.sh").exists() else None
