@@ -24,3 +24,4 @@ include tools/formal.mk
 include fpga/ultra96/board.mk
 include tools/python.mk
 include tools/targets.mk
+include tools/synth.mk

@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What castray takes of a ZU3EG: DSPs, block RAMs, LUTs, flip-flops of every unit and of the whole core.
+
+    synth.py                    all units, the core for 1, 2, 3, 4 and 8 lanes: build/synth.json, docs/area.md
+    synth.py UNIT...            some, for example isect/ray_prim: a table of their parts
+    synth.py --check            units and the core of three lanes against tools/synth/budgets.json
+    synth.py --record           write these budgets anew
+"""
+import argparse
+import json
+import math
+import pathlib
+import sys
+
+import page
+import yosys
+
+BUDGETS = pathlib.Path("tools/synth/budgets.json")
+CORE = "castray_core"
+CHECKED_LANES = 3
+LANES = (1, 2, 3, 4, 8)
+# A budget is what was measured. More DSPs or block RAMs than that fail; LUTs and flip-flops have this much room for
+# changes that mean nothing.
+ROOM = {"dsp": (1, 0), "bram36": (1, 0), "lut": (1.03, 10), "ff": (1.03, 10)}
+
+
+def record(name, lanes, counts):
+    return {"name": name, "lanes": lanes, **{r: round(counts[r], 1) for r in yosys.RESOURCES}}
+
+
+def core(lanes, jobs):
+    """The record of the core as issue-level figures are measured: two ports, 128 KB second cache."""
+    design = yosys.elaborate([CORE], {"Lanes": lanes, "Ports": 2, "L2Kbytes": 128}, name=f"core{lanes}")
+    top = design.tops[CORE]
+    return record(CORE, lanes, design.total(top, yosys.synthesise(design, [top], jobs)))
+
+
+def units(names, jobs, files=None):
+    """Records of units, each on its own with the parameters that it has by default. lanes is 0."""
+    tops = [name.split("/")[-1] for name in names]
+    design = yosys.elaborate(tops, files=files, name="units")
+    counts = yosys.synthesise(design, [design.tops[top] for top in tops], jobs)
+    return [record(name, 0, design.total(design.tops[top], counts)) for name, top in zip(names, tops)]
+
+
+def parts(names, jobs):
+    """Prints the parts of some units, the largest first."""
+    for name in names:
+        top = name.split("/")[-1]
+        design = yosys.elaborate([top], name="parts")
+        counts = yosys.synthesise(design, [design.tops[top]], jobs)
+
+        def show(at, depth, times):
+            total = design.total(at, counts)
+            print(f"{'  ' * depth}{times:3} x {design.modules[at].unit:{32 - 2 * depth}}"
+                  + "".join(f" {r} {total[r]:<7g}" for r in yosys.RESOURCES) + f" own lut {counts[at]['lut']}")
+            below = design.modules[at].children
+            for child in sorted(below, key=lambda c: -design.total(c, counts)["lut"] * below[c]):
+                show(child, depth + 1, below[child])
+
+        show(design.tops[top], 0, 1)
+
+
+def measured(jobs, files=None):
+    """What has a budget: {name: {resource: number}}."""
+    names = [u for u in yosys.units() if u != CORE]
+    records = units(names + [CORE], jobs, files)   # by default the core has three lanes, two ports, 128 KB
+    return {r["name"]: {key: r[key] for key in yosys.RESOURCES} for r in records}
+
+
+def check(jobs, files=None):
+    """Prints what is over its budget; True if nothing is."""
+    budgets = json.loads(BUDGETS.read_text())
+    now = measured(jobs, files)
+    wrong = [f"{name} has no budget; `make synth-record` writes it" for name in now if name not in budgets]
+    wrong += [f"{name} has a budget and is no unit" for name in budgets if name not in now]
+    for name, counts in now.items():
+        for resource, number in counts.items():
+            factor, more = ROOM[resource]
+            most = math.floor(2 * (budgets.get(name, counts)[resource] * factor + more)) / 2
+            if number > most:
+                wrong.append(f"{name}: {resource} {number:g}, its budget is {budgets[name][resource]:g}")
+    for line in wrong:
+        print(f"over budget: {line}" if ": " in line else f"budget: {line}")
+    print(f"synth-check: {len(now) - len({w.split(':')[0] for w in wrong})} of {len(now)} within their budgets")
+    return not wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("units", nargs="*")
+    parser.add_argument("-j", "--jobs", type=int, default=2)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--record", action="store_true")
+    parser.add_argument("--file", action="append", default=[], metavar="FILE=INSTEAD", help="another text of a file of the RTL")
+    args = parser.parse_args()
+    instead = dict(f.split("=") for f in args.file)
+    files = [instead.get(f, f) for f in yosys.rtl_files()]
+    if args.units:
+        parts(args.units, args.jobs)
+    elif args.check:
+        sys.exit(not check(args.jobs, files))
+    elif args.record:
+        BUDGETS.write_text("{\n" + ",\n".join(f'  "{n}": {json.dumps(c)}' for n, c in measured(args.jobs).items()) + "\n}\n")
+    else:
+        records = units([u for u in yosys.units() if u != CORE], args.jobs)
+        for lanes in LANES:
+            records.append(core(lanes, args.jobs))
+            print("  synth: " + ", ".join(f"{k} {v}" for k, v in records[-1].items()), flush=True)
+        pathlib.Path("build/synth.json").write_text(json.dumps(records, indent=1) + "\n")
+        page.write(records)
+
+
+if __name__ == "__main__":
+    main()
