@@ -17,3 +17,23 @@ $(TOP_FACTS): tb/fpga/top_facts.py $(BOARD_TOP) $(RTL) rtl/castray.f $(call venv
 BOARD_REGISTERS := $(BUILD)/ultra96/registers.tcl
 $(BOARD_REGISTERS): fpga/ultra96/register_list.py tools/sv_records.py $(PACKAGES) docs/register-map.md
 	@python3 $< $(PACKAGES) -o $@
+
+# ---- The bitstream, with Vivado ----
+.PHONY: bitstream
+BOARD       ?= ultra96v2
+CLOCK_MHZ   ?= 100
+LANES       ?= $(call default_of,Lanes)
+CONTEXTS    ?= $(call default_of,Contexts)
+TILE_LOG2   ?= $(call default_of,TileLog2)
+PORTS       ?= $(call default_of,Ports)
+L2_KBYTES   ?= $(call default_of,L2Kbytes)
+BOARD_FILES ?=
+BOARD_OUT   ?= $(BUILD)/ultra96
+
+bitstream: $(BOARD_REGISTERS) ## build the bitstream with Vivado: BOARD=ultra96v2 (or v1) CLOCK_MHZ= LANES= PORTS= (docs/board.md)
+	@fpga/ultra96/bitstream.sh board=$(BOARD) out=$(abspath $(BOARD_OUT)) registers=$(abspath $<) clock_mhz=$(CLOCK_MHZ) lanes=$(LANES) \
+	  contexts=$(CONTEXTS) tile_log2=$(TILE_LOG2) ports=$(PORTS) l2_kbytes=$(L2_KBYTES) jobs=$(JOBS) board_files=$(BOARD_FILES)
+
+# ---- Tests ----
+ALL_TESTS     += $(TOP_FACTS) $(BOARD_REGISTERS)
+TEST_PROGRAMS += $(wildcard tb/fpga/*_test.sh)
