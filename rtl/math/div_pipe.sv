@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Guarded division, q = num 2^QFrac / den, for num <= den: to the nearest, halves upwards, or, with
 // Nearest 0, rounded down.
-//   s1..sn    BitsPerStage quotient bits each, restoring, digit by digit: QFrac + 1 bits, the first
-//             is the integer bit, and one more for rounding to the nearest
+//   s1..sn    BitsPerStage quotient bits each, without restoring: where a remainder is negative, its
+//             bit is 0 and the next step adds the divisor instead of subtracting it. QFrac + 1 bits, the
+//             first is the integer bit, and one more for rounding to the nearest
 //   s(n+1)    rounding
 // Defined otherwise too: a zero divisor gives 0, num > den gives 2^QFrac.
 // One division a cycle, n + 1 cycles; all stages move together unless the output is blocked.
@@ -40,28 +41,37 @@ module div_pipe #(
 
   typedef logic [NumW-1:0] op_t;
   typedef logic [Bits-1:0] quo_t;
+  // Of a remainder, which lies between -den and den, the bits below its sign: that is the inverse of
+  // the quotient's last bit.
   typedef struct packed {
     op_t  rem;
     quo_t quo;
   } step_t;
 
-  // Quotient bits first..first+BitsPerStage-1. The integer bit compares the remainder as it is,
-  // each later one its double.
+  // Quotient bits first..first+BitsPerStage-1. The integer bit is that of num - den, each later one that
+  // of twice the remainder, less the divisor or more. What is left of a num of den or more is nothing.
   function automatic step_t divide(step_t from, op_t den, int unsigned first);
     logic [NumW:0] rem;
     logic          digit;
+    op_t           low;
     quo_t          quo;
-    rem = {1'b0, from.rem};
-    quo = from.quo;
+    low   = from.rem;
+    quo   = from.quo;
+    digit = quo[0];
     for (int unsigned i = 0; i < BitsPerStage; i++) begin
-      if (first + i < Bits) begin
-        if (first + i > 0) rem = {rem[NumW-1:0], 1'b0};
-        digit = rem >= {1'b0, den};
+      if (first + i == 0) begin
+        rem   = {1'b0, low} - {1'b0, den};
+        digit = !rem[NumW];
+        low   = digit ? '0 : rem[NumW-1:0];
         quo   = {quo[Bits-2:0], digit};
-        if (digit) rem = rem - {1'b0, den};
+      end else if (first + i < Bits) begin
+        rem   = {low, digit} + ({1'b0, den} ^ {(NumW + 1){digit}});
+        digit = !rem[NumW];
+        low   = rem[NumW-1:0];
+        quo   = {quo[Bits-2:0], digit};
       end
     end
-    return '{rem: rem[NumW-1:0], quo: quo};
+    return '{rem: low, quo: quo};
   endfunction
 
   logic [Stages:0] valid_q, offered;  // what a stage holds, and is offered
@@ -77,42 +87,36 @@ module div_pipe #(
     else if (move) valid_q <= offered;
   end
 
-  // The guard: a zero divisor divides 0 by 1, a numerator that is too large divides 1 by 1.
-  op_t num, den;
-  assign den = (in_den_i == '0 || in_num_i > in_den_i) ? op_t'(1) : in_den_i;
-  assign num = (in_den_i == '0) ? '0 : (in_num_i > in_den_i) ? op_t'(1) : in_num_i;
-
   for (genvar i = 0; i < Stages; i++) begin : g_stage
     step_t from, step_q;
     op_t   den_in;
     tag_t  tag_in, tag_q;
+    logic  none_in, none_q;   // the divisor is zero
     if (i == 0) begin : g_first
-      assign from   = '{rem: num, quo: '0};
-      assign den_in = den;
-      assign tag_in = in_tag_i;
+      assign from    = '{rem: in_num_i, quo: '0};
+      assign den_in  = in_den_i;
+      assign tag_in  = in_tag_i;
+      assign none_in = in_den_i == '0;
     end else begin : g_next
-      assign from   = g_stage[i-1].step_q;
-      assign den_in = g_stage[i-1].g_den.den_q;
-      assign tag_in = g_stage[i-1].tag_q;
+      assign from    = g_stage[i-1].step_q;
+      assign den_in  = g_stage[i-1].g_den.den_q;
+      assign tag_in  = g_stage[i-1].tag_q;
+      assign none_in = g_stage[i-1].none_q;
+    end
+    always_ff @(posedge clk_i) begin
+      if (work) begin
+        if (offered[i]) begin
+          step_q <= divide(from, den_in, i * BitsPerStage);
+          tag_q  <= tag_in;
+          none_q <= none_in;
+        end
+      end
     end
     if (i < Stages - 1) begin : g_den
       op_t den_q;
       always_ff @(posedge clk_i) begin
         if (work) begin
-          if (offered[i]) begin
-            step_q <= divide(from, den_in, i * BitsPerStage);
-            tag_q  <= tag_in;
-            den_q  <= den_in;
-          end
-        end
-      end
-    end else begin : g_last
-      always_ff @(posedge clk_i) begin
-        if (work) begin
-          if (offered[i]) begin
-            step_q <= divide(from, den_in, i * BitsPerStage);
-            tag_q  <= tag_in;
-          end
+          if (offered[i]) den_q <= den_in;
         end
       end
     end
@@ -120,8 +124,9 @@ module div_pipe #(
 
   always_ff @(posedge clk_i) begin
     if (move && offered[Stages]) begin
-      out_q_o   <= Nearest ? (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1)
-                           : (QFrac+1)'(g_stage[Stages-1].step_q.quo);
+      if (g_stage[Stages-1].none_q) out_q_o <= '0;
+      else out_q_o <= Nearest ? (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1)
+                              : (QFrac+1)'(g_stage[Stages-1].step_q.quo);
       out_tag_o <= g_stage[Stages-1].tag_q;
     end
   end
