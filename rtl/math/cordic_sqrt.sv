@@ -54,14 +54,19 @@ module cordic_sqrt
     first.y = {2'b0, rad} - Start;
   endfunction
 
+  // a - b, or a + b where add: one adder, of one bit more for the carry in.
+  function automatic reach_t minus(reach_t a, reach_t b, logic add);
+    logic signed [$bits(reach_t):0] sum;
+    sum = {a, 1'b1} + {b ^ {$bits(reach_t){!add}}, !add};
+    return sum[$bits(reach_t):1];
+  endfunction
+
   function automatic turn_t step(turn_t from, int unsigned shift);
-    reach_t x, y, dx, dy;
-    x  = from.x;
-    y  = from.y;
-    dx = y >>> shift;
-    dy = x >>> shift;
-    step.x = (y < 0) ? x + dx : x - dx;
-    step.y = (y < 0) ? y + dy : y - dy;
+    reach_t dx, dy;
+    dx = from.y >>> shift;
+    dy = from.x >>> shift;
+    step.x = minus(from.x, dx, from.y < 0);
+    step.y = minus(from.y, dy, from.y < 0);
   endfunction
 
   function automatic logic [RootW-1:0] rounded(reach_t x);
