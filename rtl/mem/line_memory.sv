@@ -17,7 +17,8 @@ module line_memory
   parameter int unsigned Ports   = 1,
   parameter int unsigned L2Lines = 2048,
   parameter int unsigned L2Ways  = 4,
-  parameter int unsigned Misses  = 24     // lines under way for each port
+  parameter int unsigned Misses  = 24,    // lines under way for each port
+  parameter int unsigned ClientMisses = 16   // numbers that a client gives its lines
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,
@@ -50,9 +51,10 @@ module line_memory
   localparam int unsigned BufferLines = 32;
   localparam int unsigned BankLines   = (L2Lines == 0) ? BufferLines : L2Lines / Ports;
   localparam int unsigned IdxW        = (Clients > 1) ? $clog2(Clients) : 1;
+  localparam int unsigned NumberW   = $clog2(ClientMisses);
   typedef struct packed {
-    logic [IdxW-1:0] client;
-    miss_t           miss;
+    logic [IdxW-1:0]    client;
+    logic [NumberW-1:0] miss;
   } owner_t;
 
   // ---- Banks ----
@@ -77,7 +79,7 @@ module line_memory
     );
     line_cache #(.id_t(owner_t), .Lines(BankLines), .Ways(L2Ways), .Misses(Misses), .Skip(Ports - 1)) u_bank (
       .clk_i, .rst_ni, .hit_o(hit_o[p]), .miss_o(miss_o[p]),
-      .in_valid_i(in_valid), .in_ready_o(in_ready), .in_id_i('{client: client, miss: in.miss}),
+      .in_valid_i(in_valid), .in_ready_o(in_ready), .in_id_i('{client: client, miss: NumberW'(in.miss)}),
       .in_line_i(in.line),
       .out_valid_o(out_valid[p]), .out_ready_i(out_ready[p]), .out_id_o(out_owner[p]),
       .out_data_o(out_data[p]),
@@ -107,7 +109,7 @@ module line_memory
   assign give_ready = fill_ready_i[owner.client];
   always_comb begin   // nothing moves here while there is no line
     fill_o = '0;
-    if (Ports == 1 || give_valid) fill_o = '{miss: owner.miss, data: out_data[bank]};
+    if (Ports == 1 || give_valid) fill_o = '{miss: miss_t'(owner.miss), data: out_data[bank]};
   end
   always_comb begin
     fill_valid_o               = '0;

@@ -40,20 +40,35 @@ module line_misses
   end
 
   typedef logic [$clog2(Misses)-1:0] number_t;
-  logic [Misses-1:0] used_q, match_q;
-  line_no_t          line_q [Misses];
+  logic [Misses-1:0] used_q, match_q, pick;
+  line_no_t          line_q [Misses];    // all compared at once
+  line_no_t          find_q [Misses];    // the same, where one is read
   id_t               head_q [Misses];
   id_t               next_q [2**$bits(id_t)];
   number_t           at, find, finish;
   assign find   = number_t'(find_i);
   assign finish = number_t'(end_miss_i);
 
+  // Three bits a LUT, joined by a carry.
+  function automatic logic same(line_no_t a, line_no_t b);
+    localparam int unsigned Groups = ($bits(line_no_t) + 2) / 3;
+    logic [3*Groups-1:0] differ;
+    logic [Groups-1:0]   equal;
+    logic [Groups:0]     carry;
+    differ = (3*Groups)'(a) ^ (3*Groups)'(b);
+    for (int unsigned g = 0; g < Groups; g++) equal[g] = differ[3*g +: 3] == '0;
+    carry = {1'b0, equal} + 1'b1;
+    return carry[Groups];
+  endfunction
+
   // ---- Look: as the lines will be in cycle 1 ----
   always_ff @(posedge clk_i) begin
     if (look_i) begin
-      for (int unsigned i = 0; i < Misses; i++)
-        match_q[i] <= (new_o && at == number_t'(i)) ? add_line_i == look_line_i
-                                                          : used_q[i] && line_q[i] == look_line_i;
+      for (int unsigned i = 0; i < Misses; i++) begin
+        match_q[i] <= 1'b0;
+        if (new_o && pick[i]) match_q[i] <= add_line_i == look_line_i;
+        else if (used_q[i]) match_q[i] <= same(line_q[i], look_line_i);
+      end
     end
   end
 
@@ -61,28 +76,32 @@ module line_misses
   assign new_o      = add_i && match_q == '0;
   assign new_miss_o = miss_t'(at);
   always_comb begin
-    at = '0;
+    pick = '0;
+    at   = '0;
     if (add_i) begin
-      for (int unsigned i = Misses; i > 0; i--)
-        if (match_q[i-1] || (match_q == '0 && !used_q[i-1])) at = number_t'(i - 1);
+      pick = (match_q != '0) ? match_q : ~used_q & (used_q + 1'b1);
+      for (int unsigned i = 0; i < Misses; i++) if (pick[i]) at |= number_t'(i);
     end
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) used_q <= '0;
     else begin
-      if (new_o) used_q[at] <= 1'b1;
+      if (new_o) used_q <= used_q | pick;
       if (end_i) used_q[finish] <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (new_o) line_q[at] <= add_line_i;
+    if (new_o) begin
+      for (int unsigned i = 0; i < Misses; i++) if (pick[i]) line_q[i] <= add_line_i;
+      find_q[at] <= add_line_i;
+    end
     if (add_i) begin
       head_q[at]       <= add_id_i;
       next_q[add_id_i] <= new_o ? add_id_i : head_q[at];
     end
   end
 
-  assign find_line_o = line_q[find];
+  assign find_line_o = find_q[find];
   assign end_head_o  = head_q[finish];
   assign next_o      = next_q[id_i];
 
