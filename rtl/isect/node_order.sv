@@ -31,6 +31,10 @@ module node_order
   localparam int unsigned Unit = CoordW - DistW - DistFrac;
   localparam int unsigned ZW   = 8 + MaxPlaneExp - Unit + 3;
   typedef logic signed [ZW-1:0] z_t;
+  typedef struct packed {
+    logic [3:0]       some;   // [k]: a child comes in place k
+    logic [3:0] [1:0] who;    // [k]: its number
+  } places_t;
 
   // Of -dz rounded towards the origin, so of dz upwards: a unit more.
   function automatic z_t plane(delta_t dz, logic neg);
@@ -58,10 +62,9 @@ module node_order
   z_t [3:0]    z_q;
   plane_exp_t  ez_q;
   logic        neg_q, neg2_q;
-  logic [3:0] [3:0] place_q;       // [k][i]: child i comes in place k
+  places_t     place_q;
 
-  // As place_q.
-  function automatic logic [3:0] [3:0] places();
+  function automatic places_t places();
     logic  [3:0]       visited;
     tick_t [3:0]       entered;
     logic  [3:0] [3:0] ahead;      // [i][j]: child j is visited before child i
@@ -77,8 +80,13 @@ module node_order
         ahead[j][i] = visited[i] && entered[j] > entered[i];
       end
     end
+    places = '0;
     for (int unsigned k = 0; k < 4; k++)
-      for (int unsigned i = 0; i < 4; i++) places[k][i] = visited[i] && $countones(ahead[i]) == k;
+      for (int unsigned i = 0; i < 4; i++)
+        if (visited[i] && $countones(ahead[i]) == k) begin
+          places.some[k] = 1'b1;
+          places.who[k] |= 2'(i);
+        end
   endfunction
 
   always_ff @(posedge clk_i) begin
@@ -98,9 +106,7 @@ module node_order
   function automatic visits_t entries();
     entry_t [3:0] child, entry;
     for (int unsigned i = 0; i < 4; i++) child[i] = '{least: least(z_q[i], neg2_q), target: target_i[i]};
-    entry = '0;
-    for (int unsigned k = 0; k < 4; k++)
-      for (int unsigned i = 0; i < 4; i++) if (place_q[k][i]) entry[k] = entry[k] | child[i];
+    for (int unsigned k = 0; k < 4; k++) entry[k] = place_q.some[k] ? child[place_q.who[k]] : '0;
     return '{e0: entry[0], e1: entry[1], e2: entry[2], e3: entry[3]};
   endfunction
   always_ff @(posedge clk_i) begin

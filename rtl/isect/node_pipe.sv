@@ -8,7 +8,7 @@
 // A child is dropped only if the line misses its box, or passes it where no hit that is reported for
 // its inside could lie between tmin and t: docs/number-formats.md, "The test of a node". Of a node
 // that no scene image may hold no child is visited, and error_o is set with out_valid_o.
-// One node a cycle, 8 cycles, never stalls. 10 DSPs.
+// One node a cycle, 8 cycles, never stalls. 12 DSPs.
 // Model: cpp_model/isect/node_pipe.hpp, equal bit for bit.
 module node_pipe
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;

@@ -4,7 +4,7 @@
 //   D / S + q 2^e / S - Dz     steps behind the first plane across the dominant axis.
 // A tick of this axis is 2^-SubPlane of the wider of two spacings: 2^e / |S|, and 2^ez.
 //   s1  over = e + exp - ez; the shift from the product to ticks
-//   s2  product = D mant -+ Dz 2^16 / 2^exp          one DSP
+//   s2  product = D mant -+ Dz 2^16 / 2^exp          two DSPs: a shift by exp's lower bits is a product
 //       slack: what D mant may lack; mant's upper 10 bits for the planes
 //   s3  base = product in ticks, cut to SubPlane + 11 bits; low, high
 //   s4  left: a tick of this axis is 2^left ticks of the dominant one, 15: or more
@@ -38,15 +38,21 @@ module slab_axis
   typedef logic signed [6:0]       over_t;
   typedef logic signed [ProdW-1:0] product_t;
   typedef logic [BaseW-1:0]        slack_t;
+  typedef logic signed [RecipW:0]  scale_t;
 
-  function automatic product_t product(delta_t d, delta_t dz, recip_t r);
-    logic signed [RecipW:0]    mant;
-    logic signed [ProdW-1:0]   along;
-    logic signed [63:0]        whole;
+  // 2^16 / 2^exp, but for exp's top bit, which is 2^16.
+  function automatic scale_t scale(logic [4:0] exp);
+    return scale_t'(1) << (5'd16 - {1'b0, exp[3:0]});
+  endfunction
+
+  function automatic product_t product(delta_t d, delta_t dz, scale_t by, recip_t r);
+    logic signed [RecipW:0]  mant;
+    product_t                whole, along;
     mant  = {1'b0, r.mant};
-    along = (ProdW'(dz) <<< (RecipW - 1)) >>> r.exp;
     whole = d * mant;
-    return product_t'(whole) + (r.minus ? along : ~along);
+    along = dz * by;
+    if (r.exp[4]) along = along >>> 16;
+    return whole + (r.minus ? along : ~along);
   endfunction
 
   // |d| in ticks, rounded up.
@@ -80,12 +86,14 @@ module slab_axis
   // ---- s1 ----
   over_t      over, over1_q;
   recip_t     recip1_q;
+  scale_t     scale1_q;
   delta_t     d1_q, dz1_q;
   plane_exp_t right1_q;
   assign over = over_t'({2'b0, e_i}) + over_t'({2'b0, recip_i.exp}) - over_t'({2'b0, ez_i});
   always_ff @(posedge clk_i) begin
     if (en_i[0]) begin
       recip1_q <= recip_i;
+      scale1_q <= scale(recip_i.exp);
       d1_q     <= d_i;
       dz1_q    <= dz_i;
       over1_q  <= over;
@@ -101,7 +109,7 @@ module slab_axis
   logic [3:0] left2_q, left3_q;
   always_ff @(posedge clk_i) begin
     if (en_i[1]) begin
-      product2_q <= product(d1_q, dz1_q, recip1_q);
+      product2_q <= product(d1_q, dz1_q, scale1_q, recip1_q);
       slack2_q   <= slack(d1_q, right1_q);
       minus2_q   <= recip1_q.minus;
       before2_q  <= d1_q[CoordW] != recip1_q.minus;
@@ -112,13 +120,19 @@ module slab_axis
   end
 
   // ---- s3 ----
+  // One addition, with a carry into it.
+  function automatic slab_t sum(slab_t a, slab_t b, logic carry);
+    logic signed [$bits(slab_t):0] both;
+    both = {a, carry} + {b, carry};
+    return both[$bits(slab_t):1];
+  endfunction
   function automatic slab_t from();
     return slab_t'(signed'({BaseW{minus2_q}} ^ base(product2_q, right2_q)));
   endfunction
   always_ff @(posedge clk_i) begin
     if (en_i[2]) begin
-      low_o   <= before2_q ? from() - slab_t'({1'b0, slack2_q}) : from();
-      high_o  <= from() + (before2_q ? '0 : slab_t'({1'b0, slack2_q})) + 1'b1;
+      low_o   <= sum(from(), before2_q ? ~slab_t'({1'b0, slack2_q}) : '0, before2_q);
+      high_o  <= sum(from(), before2_q ? '0 : slab_t'({1'b0, slack2_q}), 1'b1);
       minus_o <= minus2_q;
       left3_q <= left2_q;
     end

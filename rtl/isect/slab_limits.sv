@@ -37,7 +37,7 @@ module slab_limits
   function automatic step_t z_of(t_t t, logic neg, step_t by);
     step_t steps;
     steps = step_t'(t >>> TFrac);
-    return (neg ? ~steps : steps) + by + step_t'({1'b0, neg});
+    return (neg ? by + 1'b1 : by) + (neg ? ~steps : steps);
   endfunction
 
   // In ticks, cut to a tick_t.
