@@ -38,7 +38,7 @@ module accept
                     && !(cull_i && (u_neg_i != neg_i));
 
   function automatic area_t magnitude(edge_fn_t x, logic negative);
-    return negative ? -x : x;
+    return (x ^ {$bits(x){negative}}) + area_t'(negative);
   endfunction
 
   always_ff @(posedge clk_i) begin

@@ -62,9 +62,11 @@ module edge_fns
          > {~y1[$bits(sheared_t)-1], y1[$bits(sheared_t)-2:0], x1[$bits(sheared_t)-1], ~x1[$bits(sheared_t)-2:0]};
   endfunction
 
-  // Is p - q negative, a zero taken as the sign says?
+  // Is p - q negative, a zero taken as the sign says? The sign of p - q, or of p - q - 1.
   function automatic logic negative(product_t p, product_t q, logic up);
-    return up ? p < q : p <= q;
+    logic [2*CoordW+3:0] sum;
+    sum = {p[2*CoordW+1], p, 1'b1} + {~q[2*CoordW+1], ~q, up};
+    return sum[2*CoordW+3];
   endfunction
 
   logic u_up1_q, v_up1_q, w_up1_q, u_up2_q, v_up2_q, w_up2_q, u_up3_q, v_up3_q, w_up3_q;
