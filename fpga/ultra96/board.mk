@@ -35,5 +35,5 @@ bitstream: $(BOARD_REGISTERS) ## build the bitstream with Vivado: BOARD=ultra96v
 	  contexts=$(CONTEXTS) tile_log2=$(TILE_LOG2) ports=$(PORTS) l2_kbytes=$(L2_KBYTES) jobs=$(JOBS) board_files=$(BOARD_FILES)
 
 # ---- Tests ----
-ALL_TESTS     += $(TOP_FACTS) $(BOARD_REGISTERS)
-TEST_PROGRAMS += $(wildcard tb/fpga/*_test.sh)
+ALL_TESTS     += $(TOP_FACTS) $(BOARD_REGISTERS) $(call venv,board)
+TEST_PROGRAMS += $(wildcard tb/fpga/*.sh)

@@ -56,8 +56,9 @@ namespace eval fake {
 
   command apply_bd_automation {-rule: -config:} {cell} {
     touch_design
-    if {[dict get $option -rule] ne "xilinx.com:bd_rule:zynq_ultra_ps_e" || ![string match *:zynq_ultra_ps_e:* [value $cell vlnv]]} {
-      fail "apply_bd_automation: no rule [dict get $option -rule] for [name_of $cell]"
+    set rule [dict get $option -rule]
+    if {$rule ne "xilinx.com:bd_rule:zynq_ultra_ps_e" || ![string match *:zynq_ultra_ps_e:* [value $cell vlnv]]} {
+      fail "apply_bd_automation: no rule $rule for [name_of $cell]"
     }
     if {[dict get $option -config] ne "apply_board_preset 1"} {
       fail "apply_bd_automation: -config [dict get $option -config]"

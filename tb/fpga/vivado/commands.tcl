@@ -21,7 +21,9 @@ namespace eval fake {
       lappend names [string trimright $argument ?*]
     }
     namespace eval ::[namespace qualifiers $name] {}
+    # tclint-disable-next-line command-args
     proc [body_of $name] [concat option $names] $body
+    # tclint-disable-next-line command-args
     proc ::$name args [format {fake::call {%s} {%s} {%s} $args} $name $options $arguments]
   }
 
@@ -170,6 +172,7 @@ namespace eval fake {
   proc on_change {class property body} {
     variable hooks
     dict set hooks $class,$property 1
+    # tclint-disable-next-line command-args
     proc ::fake::changed_$class,$property {object value} $body
   }
 

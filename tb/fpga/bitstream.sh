@@ -3,7 +3,8 @@
 # `make bitstream` from end to end, with a stand-in in Vivado's place (tb/fpga/vivado), and what it says where it cannot build.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-source tb/fpga/cases.sh
+source tb/common/cases.sh
+make -s build/fpga/top.facts build/ultra96/registers.tcl
 out=$PWD/build/fpga/out
 rm -rf "$out"
 export CASTRAY_FACTS=$PWD/build/fpga/top.facts

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# For the scripts of this folder: each case is counted like a GoogleTest's, by tools/run_tests.py.
+# For scripts that hold several tests: each case is counted like a GoogleTest's, by tools/run_tests.py.
 #   case_of NAME COMMAND...   passes if the command does; what it prints is shown if it fails
 #   ends                      the last line of a script
 wrong=0

@@ -4,7 +4,8 @@
 # the message that belongs to it.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-source tb/fpga/cases.sh
+source tb/common/cases.sh
+make -s build/fpga/top.facts build/ultra96/registers.tcl
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 
