@@ -45,6 +45,7 @@ template <class V> class CoreInstance final : public CoreModel {
   ~CoreInstance() override {
     if (fst_) fst_->close();
     top_->final();
+    Verilated::threadContextp(context_.get());  // the model's destructor asks for it; another core's may be gone
   }
 
   bool run(MemoryPorts& memory, std::uint64_t cycles) override {

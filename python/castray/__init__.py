@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """castray, a ray-tracing core: on the board under PYNQ, or simulated (docs/python.md).
 
-    core = castray.Core("castray.bit")      # on the board
-    core = castray.Core(sim=True)           # anywhere
+    core = castray.Core("castray_ultra96v2.bit")   # on the board
+    core = castray.Core(sim=True)                  # anywhere
     frame = core.render("scenes/teapot.json", hits=True)
     frame.pixels, frame.hits, frame.counters["cycles"]
 """

@@ -43,6 +43,10 @@ class Frame:
     def _repr_png_(self):
         return png.encode(self.pixels)
 
+    def __repr__(self):
+        height, width, _ = self.pixels.shape
+        return f"<castray.Frame: {width}x{height}, {self.cycles} cycles{'' if self.hits is None else ', with hits'}>"
+
 
 @dataclasses.dataclass(frozen=True)
 class Answers:
@@ -51,6 +55,9 @@ class Answers:
     counters: dict
 
     cycles = property(lambda self: self.counters["cycles"])
+
+    def __repr__(self):
+        return f"<castray.Answers: {len(self.hits)} rays, {self.cycles} cycles>"
 
 
 def open_device(overlay, sim, options):
@@ -64,14 +71,15 @@ def open_device(overlay, sim, options):
             raise ArgumentError(f"a device takes no {', '.join(options)}")
         return overlay
     from .board import Board
-    return Board(overlay if overlay is not None else "castray.bit", **options)
+    return Board(overlay, **options)
 
 
 class Core:
     """A castray core.
 
-    Core("castray.bit")   loads that overlay under PYNQ; an Overlay that is loaded, or its castray IP, do as well
-    Core(sim=True)        the simulated core; lanes, contexts, tile, ports, l2_kbytes, memory, stalls, seed choose which
+    Core("castray_ultra96v2.bit")   loads that overlay under PYNQ; an Overlay that is loaded, or its castray IP, do as well
+    Core()                          the same of the one castray_*.bit in this folder
+    Core(sim=True)                  the simulated core; lanes, contexts, tile, ports, l2_kbytes, memory, stalls, seed choose which
 
     timeout: seconds after which a job counts as hung; None: for as long as it takes. interrupt: wait for it,
     or poll; None: whatever the device has.
@@ -150,7 +158,7 @@ class Core:
         met = None
         if records:
             records.invalidate()
-            met = records.data[:image.width * image.height * layout.HitBytes].view(HIT).reshape(image.height, image.width).copy()
+            met = records.data[:image.width * image.height * layout.HitBytes].copy().view(HIT).reshape(image.height, image.width)
         return Frame(self._pixels(image, target), met, counters)
 
     def query(self, rays, scene=None, *, mode="bvh_root", work=False, steps=0, timeout=...):
@@ -176,7 +184,7 @@ class Core:
         counters = self._run(timeout)
 
         records.invalidate()
-        return Answers(records.data[:len(rays) * layout.HitBytes].view(HIT).copy(), counters)
+        return Answers(records.data[:len(rays) * layout.HitBytes].copy().view(HIT), counters)
 
     def counters(self):
         """The counters of the last job."""
@@ -301,9 +309,11 @@ class Core:
                 self._interrupt = False
                 return
             deadline = time.monotonic() + 1   # done is set by then
-        while not self._done():
+        late = False
+        while not late and not self._done():
             alive = self._device.pause()
-            if not alive or deadline is not None and time.monotonic() > deadline:
+            late = not alive or deadline is not None and time.monotonic() > deadline
+            if late and not self._done():
                 raise HungError(f"{self.description}: " + (f"the job is not done after {_seconds(timeout)}. timeout= gives it longer"
                                                            if alive else "the core does nothing any more, and the job is not done"))
 
@@ -318,12 +328,12 @@ class Core:
         if not self._device.read32(layout.RegControl) & idle and not (self._device.reset() and self._device.read32(layout.RegControl) & idle):
             self._lost = True
             KEPT.append(self._buffers)
-            warnings.warn("the core could not be brought to rest: load its bitstream again, with a new castray.Core(\"castray.bit\")",
+            warnings.warn("the core could not be brought to rest: load its bitstream again, with a new castray.Core(...)",
                           RuntimeWarning, stacklevel=5)
 
     def _usable(self):
         if self._lost:
-            raise HungError("the core hangs since an earlier job: load its bitstream again, with a new castray.Core(\"castray.bit\")")
+            raise HungError("the core hangs since an earlier job: load its bitstream again, with a new castray.Core(...)")
 
     @staticmethod
     def _pixels(image, buffer):
