@@ -30,3 +30,13 @@ def renders(core, image):
     """True if a core that went through something still draws what it should."""
     with castray.Core(sim=True, **ONE_LANE) as fresh:
         return (core.render(image).pixels == fresh.render(image).pixels).all()
+
+
+def pytest_runtest_logreport(report):
+    """A line for each test as GoogleTest has it, from which tools/run_tests.py counts."""
+    if report.failed or report.when == "call" and report.passed:
+        print(f"\n[{'       OK' if report.passed else '  FAILED '} ] {report.nodeid.rpartition('/')[2].replace(' ', '_')} ({report.duration * 1000:.0f} ms)")
+
+
+def pytest_sessionstart():
+    print("[==========]")
