@@ -26,6 +26,7 @@ core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts= -GL2Kbytes=,$
 # because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
 $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@mkdir -p $(@D)
+	@rm -f $(@D)/*.cpp
 	@echo "  VERILATE castray_core $*"
 	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) $(if $(call with_waves,$*),--trace-fst,-GGateClocks=1\'b1) --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
@@ -50,6 +51,8 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 SIM_PROGRAMS := castray make_scene bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
+# The command line runs once: its templates are not worth the compiler's effort.
+$(BUILD)/obj/sim/cli/%.o: CXXFLAGS += -O1
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
 SIM_LIBS     := $(LIBS) -ldl -rdynamic
 
@@ -75,10 +78,10 @@ $(BUILD)/make_scene: $(BUILD)/obj/sim/make_scene.o $(LIB)
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(LIBS)
 
 # ---- Tests: tb/sim of the simulator itself, tb/frame of whole frames on the test variants ----
-$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB) $(RECORDS)
+$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB) $(TEST_PCH)
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
-	@$(CXX) $(CXXFLAGS) -Itb/common -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
+	@$(CXX) $(CXXFLAGS) -O1 $(USE_PCH) -Itb/common -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
 # A test that runs the core says on which variants: "// Cores: l1c32t3p1m0 l3c32t3p2m128".
 $(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(shell sed -n 's,^// Cores: ,,p' $(t)))))
 

@@ -34,6 +34,15 @@ MORE_TESTS  := $(shell grep -rl --include='*_test.cpp' '^// Unit: ' tb)
 SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
 MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(MORE_TESTS) $(SIM_TESTS),$(TESTS))
 
+# What most tests include, compiled once: it halves the time of a small test.
+TEST_PCH   := $(BUILD)/gen/test.pch
+PCH_FLAGS   = -fpch-instantiate-templates -Xclang -fno-pch-timestamp $(VERILATED_INC)
+export CCACHE_SLOPPINESS := pch_defines,time_macros
+USE_PCH     = -include-pch $(TEST_PCH) $(PCH_FLAGS)
+$(TEST_PCH): tb/common/precompiled.hpp $(RECORDS)
+	@$(CXX) $(CXXFLAGS) -Itb/common $(PCH_FLAGS) -x c++-header $< -o $@
+-include $(TEST_PCH:.pch=.d)
+
 # unit_model(unit): its Verilated model.
 define unit_model
 $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES)
@@ -43,9 +52,9 @@ $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard 
 endef
 # unit_test(test,unit): the program of a test, linked to the unit's model.
 define unit_test
-$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2))__ALL.a $(VERILATED_OBJ) $(RECORDS)
+$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2))__ALL.a $(VERILATED_OBJ) $(TEST_PCH)
 	@echo "  TEST  $(1)"
-	@$(CXX) $(CXXFLAGS) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/unit/$(2) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
+	@$(CXX) $(CXXFLAGS) -O1 $(USE_PCH) -Itb/common -I$(BUILD)/unit/$(2) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
 endef
 $(foreach u,$(UNIT_TESTS:tb/%_test.cpp=%),$(eval $(call unit_model,$(u)))$(eval $(call unit_test,$(u),$(u))))
 $(foreach t,$(MORE_TESTS:tb/%_test.cpp=%),$(eval $(call unit_test,$(t),$(shell sed -n 's,^// Unit: ,,p' tb/$(t)_test.cpp))))
@@ -53,10 +62,10 @@ $(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(shell grep -l '^// Links the lib
 
 LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,docs scene reference)),$(MODEL_TESTS))
 $(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)
-$(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(RECORDS)
+$(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(TEST_PCH)
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
-	@$(CXX) $(CXXFLAGS) -Itb/common $(filter %.cpp %.a,$^) -o $@ $(TEST_LIBS) $(if $(filter %.a,$^),$(LIBS))
+	@$(CXX) $(CXXFLAGS) $(USE_PCH) -Itb/common $(filter %.cpp %.a,$^) -o $@ $(TEST_LIBS) $(if $(filter %.a,$^),$(LIBS))
 
 -include $(LIB_OBJECTS:.o=.d) $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test.d)
 

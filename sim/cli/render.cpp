@@ -58,7 +58,11 @@ class Render {
                    {"--hits", args_.hits, sim::check_writable}, {"--nodes-map", args_.nodes_map, sim::check_picture},
                    {"--tests-map", args_.tests_map, sim::check_picture}, {"--save-scene", args_.save_scene, sim::check_writable},
                    {"--trace", args_.trace, sim::check_writable}}, scene_);
-    if (!args_.trace.empty()) sim::make_core(args_.core.options().variant, 0, true);  // without waveforms, fails before the frame
+    if (!args_.trace.empty()) {  // what waveforms need is known before the frame
+      sim::RtlOptions device = args_.core.options();
+      if (!args_.trace_window.empty()) set_window(device);
+      sim::make_core(device.variant, 0, true);
+    }
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
     report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", args_.core.mode},
                {"commit", kCommit}, {"width", scene_.width}, {"height", scene_.height},

@@ -113,7 +113,7 @@ TEST_F(CommandLine, ARayThatMissesDiffersInNothing) {
 }
 
 TEST_F(CommandLine, ACoreWithoutWaveformsIsNamedBeforeTheFrame) {
-  for (const std::string command : {"render scenes/cube.json --check -o " + path("a.png"), std::string("ray scenes/cube.json 1 1 --size 8x8")})
+  for (const std::string& command : {"render scenes/cube.json --check -o " + path("a.png"), std::string("ray scenes/cube.json 1 1 --size 8x8")})
     expect_refused(command + " --trace " + path("a.fst"), 2, {"without waveforms", "make build/cores/l3c32t3p2m128w.so"});
 }
 

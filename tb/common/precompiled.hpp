@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+// What most tests include, read and instantiated once for all of them (tools/cpp.mk). A test includes what it
+// needs itself: this file only saves the compiler's time.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "castray_records.hpp"
+#include "dut.hpp"
