@@ -35,10 +35,9 @@ case_of CastrayCore.Lints fusesoc lint castray
 case_of CastrayCore.Simulates simulates castray
 
 case_of Dependent.HasThePictureOfTheModel python3 tb/fpga/dependent/data.py --check
-case_of Dependent.Lints fusesoc lint castray:examples:still
 case_of Dependent.RendersThePicture simulates castray:examples:still
 from_the_list() {
-  verilator --lint-only -Wno-PINCONNECTEMPTY -fno-const-bit-op-tree tools/waivers.vlt -f rtl/castray.f fpga/ultra96/castray_top.v \
+  verilator --lint-only -Wall -Wno-PINCONNECTEMPTY -fno-const-bit-op-tree tools/waivers.vlt -f rtl/castray.f fpga/ultra96/castray_top.v \
     tb/fpga/bench/lite_master.sv tb/fpga/dependent/chip_memory.sv tb/fpga/dependent/still.sv --top-module still
 }
 case_of Dependent.LintsFromTheListOfFiles from_the_list
