@@ -53,14 +53,16 @@ proc connect_interfaces {from to} {
   connect_bd_intf_net [get_bd_intf_pins $from] [get_bd_intf_pins $to]
 }
 
-# One memory port: what it reaches is the DDR alone.
+# One memory port: what it reaches is the DDR alone; the flash, the processor's own memory and what else there is are left out.
 proc connect_memory {master group port} {
   connect_interfaces castray/$master ps/S_AXI_${port}_FPD
   set space [get_bd_addr_spaces castray/$master]
-  assign_bd_address -offset 0x00000000 -range 2G -target_address_space $space \
-    [get_bd_addr_segs ps/$group/${port}_DDR_LOW]
-  foreach other {QSPI LPS_OCM} {
-    exclude_bd_addr_seg -target_address_space $space [get_bd_addr_segs ps/$group/${port}_$other]
+  foreach segment [get_bd_addr_segs ps/$group/*] {
+    if {[string match "*/${port}_DDR_LOW" $segment]} {
+      assign_bd_address -offset 0x00000000 -range 2G -target_address_space $space $segment
+    } else {
+      exclude_bd_addr_seg -target_address_space $space $segment
+    }
   }
 }
 

@@ -66,10 +66,7 @@ proc hide_second_port {core} {
   set two "spirit:decode(id('MODELPARAM_VALUE.Ports')) = 2"
   set_property enablement_dependency $two [ipx::get_bus_interfaces m_axi_1 -of_objects $core]
   foreach port [ipx::get_ports m_axi_1_* -of_objects $core] {
-    set_property enablement_dependency $two $port
-    if {[get_property direction $port] eq "in"} {
-      set_property driver_value 0 $port
-    }
+    set_property -dict [list driver_value 0 enablement_dependency $two] $port
   }
 }
 
