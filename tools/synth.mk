@@ -9,6 +9,7 @@ synth-check: $(call venv,yosys) ## the units and the core of three lanes against
 
 synth-record: $(call venv,yosys) ## write these budgets anew
 	@python3 tools/synth/synth.py -j $(JOBS) --record
+	@python3 tools/integrate_page.py
 
 # The parts of one unit: make synth/isect/ray_prim
 synth/%: $(call venv,yosys)
