@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source tb/common/cases.sh
-make -s build/fpga/top.facts build/ultra96/registers.tcl
+make -s build/fpga/top.facts build/ultra96/registers.tcl build/venv/python/ok
 out=$PWD/build/fpga/out
 rm -rf "$out"
 export CASTRAY_FACTS=$PWD/build/fpga/top.facts
@@ -30,7 +30,7 @@ whole_flow() { # board, ports
   bitstream BOARD="$1" PORTS="$2"
   for kind in bit hwh utilization.txt timing.txt; do [[ -f $out/castray_$1.$kind ]]; done
   [[ -z $(find "$out" -name '*.sv' -o -name castray_top.v) ]]
-  holds "$out/castray_$1.hwh" "castray $(cat fpga/ultra96/vlnv.txt)"
+  holds "$out/castray_$1.hwh" "INSTANCE=\"castray\".*VLNV=\"$(cat fpga/ultra96/vlnv.txt)\""
   holds "$out/castray_$1.hwh" "castray/m_axi_0 sees ps/SAXIGP3/HP1_DDR_LOW at 0x0"
   if (($2 == 2)); then local second=holds; else local second=lacks; fi
   $second "$out/castray_$1.hwh" "castray/m_axi_1 sees ps/SAXIGP4/HP2_DDR_LOW at 0x0"
@@ -77,6 +77,10 @@ bad_arguments() {
   refuses "CLOCK_MHZ=0: it must be 1 to 400" script clock_mhz=0
 }
 case_of Bitstream.RefusesWhatItDoesNotKnow bad_arguments
+
+# PYNQ's own reader takes the registers, the address, the interrupt and the name that the driver binds to from the handoff.
+register_map() { build/venv/python/bin/python tb/fpga/register_map.py "$out/castray_ultra96v2.hwh" build/ultra96/registers.tcl; }
+case_of Bitstream.GivesPynqARegisterMap register_map
 
 # The wrapper's defaults are those of the package, which Verilog cannot read.
 defaults() {

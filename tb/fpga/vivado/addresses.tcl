@@ -105,7 +105,7 @@ namespace eval fake {
     }
   }
 
-  # A line for each assignment, for the hardware handoff.
+  # A line for each assignment, beside what PYNQ reads in the hardware handoff.
   proc assigned {} {
     variable assignments
     set lines {}

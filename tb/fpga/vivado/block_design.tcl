@@ -210,12 +210,7 @@ namespace eval fake {
     set name [name_of $object]
     set path [project_file [name_of [open_project]].gen sources_1 bd $name hw_handoff $name.hwh]
     file mkdir [file dirname $path]
-    set file [open $path w]
-    foreach cell [find cell *] {
-      puts $file "cell [name_of $cell] [value $cell vlnv]"
-    }
-    puts $file [assigned]
-    close $file
+    write_handoff $path
   }
 
   command make_wrapper {-files: -top} {} {

@@ -10,7 +10,7 @@ namespace eval fake {
   variable here [file dirname [file normalize [info script]]]
   variable root [file normalize [file join $here .. .. ..]]
 }
-foreach part {commands project packager registers catalogue block_design addresses runs} {
+foreach part {commands project packager registers catalogue block_design addresses handoff runs} {
   source [file join $fake::here $part.tcl]
 }
 
