@@ -82,6 +82,15 @@ proc add_address_spaces {core} {
   }
 }
 
+# The clock's frequency is the design's, not the package's: one that the packager noted down would be compared with the
+# processor's, which is only nearly what was asked for.
+proc leave_frequency_open {core} {
+  set clock [ipx::get_bus_interfaces aclk -of_objects $core]
+  if {[llength [ipx::get_bus_parameters -quiet FREQ_HZ -of_objects $clock]] > 0} {
+    ipx::remove_bus_parameter FREQ_HZ $clock
+  }
+}
+
 proc package_ip {root folder part registers} {
   create_project -force castray_ip [file join $folder project] -part $part
   add_files -norecurse [castray_sources $root]
@@ -99,6 +108,7 @@ proc package_ip {root folder part registers} {
   add_registers $core $registers
   add_address_spaces $core
   hide_second_port $core
+  leave_frequency_open $core
 
   ipx::create_xgui_files $core
   ipx::update_checksums $core

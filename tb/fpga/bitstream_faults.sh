@@ -68,6 +68,7 @@ planted AddressForgotten block_design.tcl '/exclude_bd_addr_seg/d' 'HP1_QSPI has
 planted MoreMemoryThanThereIs block_design.tcl 's/-range 2G/-range 4G/' 'HP1_DDR_LOW: offset 0, range 4294967296'
 planted NoBoardPreset block_design.tcl '/^  apply_bd_automation/d' 'the processor has no board preset'
 planted AnotherPart settings.tcl 's/sbva484-1-i/sbva484-1-e/' 'does not have the part xczu3eg-sbva484-1-e'
+planted FrequencyFixed package_ip.tcl '/^  leave_frequency_open/d' 'FREQ_HZ of castray is not 99999001'
 planted NotValidated block_design.tcl '/^  validate_bd_design/d' 'no block design that was validated'
 planted AnotherVlnv block_design.tcl 's/-vlnv $vlnv castray/-vlnv castray:castray:castray:1.0 castray/' 'there is no ip castray:castray:castray:1.0'
 ends

@@ -147,6 +147,7 @@ namespace eval fake {
     touch_design
     foreach cell [find cell *] {
       set parts [describe $cell]
+      check_frequency $cell
       dict for {name description} [dict get $parts pins] {
         lassign $description direction width kind
         if {$direction eq "in" && $kind in {clock reset interrupt} && ![dict exists $nets pin:[name_of $cell]/$name]} {
@@ -165,6 +166,15 @@ namespace eval fake {
     check_one_clock
     check_addresses
     set_value $design validated 1
+  }
+
+  # A frequency that a package holds is not quite that of the processor's clock.
+  proc check_frequency {cell} {
+    variable packaged
+    set vlnv [value $cell vlnv]
+    if {[dict exists $packaged $vlnv] && [dict size [dict filter [dict get $packaged $vlnv] key bus_parameter:*/FREQ_HZ]] > 0} {
+      fail "validate_bd_design: FREQ_HZ of [name_of $cell] is not 99999001, that of ps/pl_clk0"
+    }
   }
 
   # Interfaces that are connected have one clock.

@@ -6,6 +6,7 @@ namespace eval fake {
   class interface {enablement_dependency {} slave_memory_map_ref {} master_address_space_ref {}} \
     {mode {} protocol {} width 0 vlnv {} ports {} clock {}}
   class space {range 0 width 0}
+  class bus_parameter {value {}}
   class parameter {} {value {}}
   variable component ""
 
@@ -74,6 +75,9 @@ namespace eval fake {
       if {[regexp {^xilinx.com:signal:(clock|reset|interrupt):1.0 (\w+) \w+$} [value $port info] -> kind name]} {
         set mode [expr {[value $port direction] eq "in" ? "slave" : "master"}]
         create interface $name [dict create mode $mode protocol $kind width 1 ports [list [name_of $port]]]
+        if {$kind eq "clock" && ![environment FAKE_BARE_PACKAGER 0]} {
+          create bus_parameter $name/FREQ_HZ [dict create value 100000000]
+        }
       } elseif {[value $port info] ne ""} {
         fail "[name_of $port]: X_INTERFACE_INFO '[value $port info]' is not known"
       }
@@ -155,6 +159,16 @@ namespace eval fake {
 
   command ipx::get_bus_interfaces {-quiet -of_objects:} {pattern} {
     return [find interface $pattern [quiet $option]]
+  }
+
+  command ipx::get_bus_parameters {-quiet -of_objects:} {pattern} {
+    return [find bus_parameter [name_of [dict get $option -of_objects]]/$pattern [quiet $option]]
+  }
+
+  command ipx::remove_bus_parameter {} {name interface} {
+    variable objects
+    find bus_parameter [name_of $interface]/$name
+    dict unset objects bus_parameter:[name_of $interface]/$name
   }
 
   command ipx::get_address_spaces {-quiet -of_objects:} {pattern} {
