@@ -63,11 +63,14 @@ module axi_writer
   logic            any_valid, room, cut_ready, data_ready, take;
   logic [IdxW-1:0] client;
   write_req_t      req;
-  stream_arb #(.data_t(write_req_t), .N(Clients)) u_arb (
+  logic            chosen [Clients];
+  assign chosen = '{default: 1'b0};
+  stream_arb #(.data_t(logic), .N(Clients)) u_arb (   // only the choice: a burst is wide, it goes straight to its registers
     .clk_i, .rst_ni(rst_ni && !block_i),
-    .valid_i(req_valid_i), .ready_o(req_ready_o), .data_i(req_i),
-    .valid_o(any_valid), .ready_i(room && cut_ready && data_ready), .data_o(req), .index_o(client)
+    .valid_i(req_valid_i), .ready_o(req_ready_o), .data_i(chosen),
+    .valid_o(any_valid), .ready_i(room && cut_ready && data_ready), .data_o(), .index_o(client)
   );
+  assign req  = req_i[client];
   assign take = any_valid && room && cut_ready && data_ready;
 
   // ---- AW ----

@@ -56,7 +56,7 @@ module dominant_axis
   } ordered_t;
 
   function automatic mag_t magnitude(dir_comp_t v);
-    return v[MagW-1] ? -mag_t'(v) : mag_t'(v);
+    return (mag_t'(v) ^ {MagW{v[MagW-1]}}) + mag_t'(v[MagW-1]);
   endfunction
 
   function automatic mag_t pick(axis_t axis, mag_t v0, mag_t v1, mag_t v2);

@@ -87,6 +87,9 @@ module frame_setup
   logic [1:0] next;
   assign next = start_i ? 2'd1 : vector_q + 1'b1;
 
+  dir_step3_t rounded;
+  assign rounded = store_q ? round_step3({acc_q[0], low_q[0]}, {acc_q[1], low_q[1]}, {acc_q[2], low_q[2]}, vector_q == 2'd3) : '0;
+
   always_ff @(posedge clk_i) begin
     if (load) begin
       scale_q <= (next == 2'd3) ? record_i.focal[ScaleFrac-1:0] : record_i.pitch[ScaleFrac-1:0];
@@ -103,9 +106,9 @@ module frame_setup
     end
     if (store_q) begin
       unique case (vector_q)
-        2'd1: right_q <= round_step3({acc_q[0], low_q[0]}, {acc_q[1], low_q[1]}, {acc_q[2], low_q[2]}, 1'b0);
-        2'd2: up_q <= round_step3({acc_q[0], low_q[0]}, {acc_q[1], low_q[1]}, {acc_q[2], low_q[2]}, 1'b0);
-        default: ahead_q <= round_step3({acc_q[0], low_q[0]}, {acc_q[1], low_q[1]}, {acc_q[2], low_q[2]}, 1'b1);
+        2'd1:    right_q <= rounded;
+        2'd2:    up_q    <= rounded;
+        default: ahead_q <= rounded;
       endcase
     end
   end
