@@ -32,7 +32,7 @@ TEST_PROGRAMS += $(wildcard tb/python/*_test.sh)
 
 .PHONY: python notebook
 python: $(PACKAGE) $(call venv,python) $(BUILD)/castray $(call cores_files,$(CORES_CHECKED)) ## build, install and test the Python package
-	@set -e; for test in tb/python/*_test.sh; do $$test; done
+	@python3 tools/run_tests.py -j 1 tb/python/*_test.sh
 
 notebook: $(PACKAGE) $(call venv,python) ## run the report's experiment anew: python/examples/report_experiment.ipynb
 	@tb/python/run.sh tb/python/notebook.py python/examples/report_experiment.ipynb

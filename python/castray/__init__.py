@@ -7,11 +7,12 @@
     frame.pixels, frame.hits, frame.counters["cycles"]
 """
 from . import _layout
-from .core import Answers, Core, Frame
+from .core import Core
 from .errors import *  # noqa: F401, F403
 from .image import SceneImage
 from .rays import ray_records
 from .records import HIT, RAY
+from .results import Answers, Frame
 from .scene import compile
 
 NO_HIT = _layout.NoHit    # a hit record's prim where nothing was hit

@@ -53,15 +53,19 @@ if pynq is not None:
 class Board(Device):
     """What castray.Core takes for a board: a bitstream, a loaded pynq.Overlay, or the IP of one."""
 
+    timeout = 30.0
+
     def __init__(self, overlay, download=True):
         if pynq is None:
-            raise NoBoardError("PYNQ is not installed here. On the board's own image it is; elsewhere castray.Core(sim=True) simulates the core")
+            raise NoBoardError("PYNQ is not installed here. On the board's own image it is; elsewhere castray.Core(sim=True) "
+                               "simulates the core")
         self._overlay = None
         self._ip = overlay if isinstance(overlay, pynq.DefaultIP) else self._find(overlay, download)
         if not isinstance(self._ip, CastrayIP):
             raise NoOverlayError(f"the IP is a {type(self._ip).__name__}, not {layout.VLNV}")
         if self._ip.mmio.length < WORDS:
-            raise NoOverlayError(f"castray's registers take {WORDS} bytes, the overlay maps {self._ip.mmio.length}: build it with `make bitstream`")
+            raise NoOverlayError(f"castray's registers take {WORDS} bytes, the overlay maps {self._ip.mmio.length}: "
+                                 "build it with `make bitstream`")
         self.description = f"castray at 0x{self._ip.mmio.base_addr:x}"
         self._pin = getattr(self._ip, "interrupt", None)
 

@@ -28,6 +28,7 @@ class Buffer(abc.ABC):
 class Device(abc.ABC):
     description = ""
     has_interrupt = False
+    timeout = None   # seconds that a job may take, unless the caller says so; None: any
 
     @abc.abstractmethod
     def read32(self, offset):

@@ -68,7 +68,8 @@ class SceneImage:
         if not all(1 <= int(f[side]) <= layout.MaxFrameSize for side in ("width", "height")):
             raise ImageError(f"a frame of {f['width']}x{f['height']}: each side must be 1 to {layout.MaxFrameSize}")
         if f["stride"] % layout.BufferAlign or f["stride"] < self.width * layout.PixelBytes:
-            raise ImageError(f"rows of {f['stride']} bytes do not hold {f['width']} pixels, or are no multiple of {layout.BufferAlign}")
+            raise ImageError(f"rows of {f['stride']} bytes do not hold {f['width']} pixels, or are no multiple "
+                             f"of {layout.BufferAlign}")
         if f["pixel_format"] > layout.PixelBgra8:
             raise ImageError(f"there is no pixel format {f['pixel_format']}")
 

@@ -51,8 +51,8 @@ class Simulation(Device):
         name = f"l{lanes}c{contexts}t{tile.bit_length() - 1}p{ports}m{l2_kbytes}"
         if not (folder / f"{name}.so").is_file():
             there = ", ".join(sorted(file.stem for file in folder.glob("*.so"))) or "none"
-            raise NoSimulationError(f"no simulated core {name} in {folder} (there: {there}). `make build/cores/{name}.so` in the sources builds "
-                                    "it, and cores= or CASTRAY_CORES names the folder")
+            raise NoSimulationError(f"no simulated core {name} in {folder} (there: {there}). `make build/cores/{name}.so` in the "
+                                    "sources builds it, and cores= or CASTRAY_CORES names the folder")
         try:
             self._core = _simulation.Core(str(folder), lanes, contexts, tile.bit_length() - 1, ports, l2_kbytes, memory, stalls, seed)
         except ValueError as error:

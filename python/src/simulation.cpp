@@ -59,8 +59,8 @@ class Core {
   std::vector<std::string> violations() { return device_.memory().messages(); }
 
  private:
-  static sim::RtlOptions options(const std::string& cores, const sim::CoreVariant& variant, const std::string& memory, const std::string& stalls,
-                                 std::uint64_t seed) {
+  static sim::RtlOptions options(const std::string& cores, const sim::CoreVariant& variant, const std::string& memory,
+                                 const std::string& stalls, std::uint64_t seed) {
     sim::RtlOptions options;
     options.cores = cores;
     options.variant = variant;

@@ -12,8 +12,12 @@ def started(core, monkeypatch):
     """The values written to the control register: a job that was refused has none."""
     writes = []
     write = core._device.write32
-    monkeypatch.setattr(core._device, "write32",
-                        lambda offset, value: (writes.append(value) if offset == layout.RegControl else None, write(offset, value)))
+
+    def noted(offset, value):
+        if offset == layout.RegControl:
+            writes.append(value)
+        write(offset, value)
+    monkeypatch.setattr(core._device, "write32", noted)
     return writes
 
 
@@ -65,8 +69,9 @@ def test_an_image_file_cut_short(core, cube, tmp_path, started):
 
 
 @pytest.mark.parametrize("options, words", [
-    ({"mode": "fast"}, "one of bvh"), ({"steps": -1}, "steps"), ({"steps": 1 << 24}, "steps"), ({"window": (0, 0, 41, 30)}, "window"),
-    ({"window": (5, 5, 5, 6)}, "window"), ({"window": "all"}, "window"), ({"size": (80, 60)}, "compiled for 40x30"), ({"frame": bytearray(10)}, "frame"),
+    ({"mode": "fast"}, "one of bvh"), ({"steps": -1}, "steps"), ({"steps": 1 << 24}, "steps"),
+    ({"window": (0, 0, 41, 30)}, "window"), ({"window": (5, 5, 5, 6)}, "window"), ({"window": "all"}, "window"),
+    ({"size": (80, 60)}, "compiled for 40x30"), ({"frame": bytearray(10)}, "frame"),
 ])
 def test_arguments_that_cannot_be(core, cube, started, options, words):
     with pytest.raises(castray.ArgumentError, match=words):
@@ -85,7 +90,8 @@ def test_a_buffer_too_small(core, cube, started):
 
 
 @pytest.mark.parametrize("rays, words", [
-    (np.zeros(3, np.float64), "castray.RAY"), ([1, 2, 3], "list"), (np.zeros((2, 2), castray.RAY), "one row"), (np.zeros(0, castray.RAY), "0 rays"),
+    (np.zeros(3, np.float64), "castray.RAY"), ([1, 2, 3], "list"), (np.zeros((2, 2), castray.RAY), "one row"),
+    (np.zeros(0, castray.RAY), "0 rays"),
 ])
 def test_rays_of_another_form(core, cube, started, rays, words):
     with pytest.raises(castray.RayError, match=words):
@@ -103,8 +109,9 @@ def test_a_flag_that_is_none(core, cube, started):
 
 @pytest.mark.parametrize("origins, directions, options, words", [
     ([[0, 0]], [[1, 0, 0]], {}, "shape"), ("abc", [[1, 0, 0]], {}, "not numbers"), ([[0, 0, 0]], [[0, 0, 0]], {}, "zero"),
-    ([[0, 0, 0]], [[0, np.nan, 0]], {}, "finite"), ([[0, np.inf, 0]], [[0, 1, 0]], {}, "finite"), ([[0, 0, 1e9]], [[0, 1, 0]], {}, "outside the image's grid"),
-    ([[0, 0, 0]] * 3, [[0, 1, 0]] * 2, {}, "3 origins and 2"), ([[0, 0, 0]], [[0, 1, 0]], {"tmin": 2, "tmax": 2}, "empty"),
+    ([[0, 0, 0]], [[0, np.nan, 0]], {}, "finite"), ([[0, np.inf, 0]], [[0, 1, 0]], {}, "finite"),
+    ([[0, 0, 1e9]], [[0, 1, 0]], {}, "outside the image's grid"), ([[0, 0, 0]] * 3, [[0, 1, 0]] * 2, {}, "3 origins and 2"),
+    ([[0, 0, 0]], [[0, 1, 0]], {"tmin": 2, "tmax": 2}, "empty"),
     ([[0, 0, 0]], [[0, 1, 0]], {"tmin": np.nan}, "empty"), ([[0, 0, 0]], [[0, 1, 0]], {"ignore": 12}, "primitives 0 to 11"),
     ([[0, 0, 0]], [[0, 1, 0]], {"tmax": [1, 2]}, "tmax"),
 ])
@@ -156,7 +163,8 @@ def test_a_job_that_takes_too_long(teapot, cube, interrupt):
 @pytest.mark.parametrize("interrupt", [True, False])
 def test_a_core_that_does_nothing_any_more(cube, interrupt):
     with castray.Core(sim=True, interrupt=interrupt, patience=100, **ONE_LANE) as core:
-        core._device.write32 = lambda offset, value, write=core._device.write32: None if offset == layout.RegControl else write(offset, value)
+        write = core._device.write32
+        core._device.write32 = lambda offset, value: None if offset == layout.RegControl else write(offset, value)
         with pytest.raises(castray.HungError):
             core.render(cube, timeout=5)
         del core._device.write32

@@ -35,7 +35,8 @@ def renders(core, image):
 def pytest_runtest_logreport(report):
     """A line for each test as GoogleTest has it, from which tools/run_tests.py counts."""
     if report.failed or report.when == "call" and report.passed:
-        print(f"\n[{'       OK' if report.passed else '  FAILED '} ] {report.nodeid.rpartition('/')[2].replace(' ', '_')} ({report.duration * 1000:.0f} ms)")
+        name, verdict = report.nodeid.rpartition("/")[2].replace(" ", "_"), "       OK" if report.passed else "  FAILED "
+        print(f"\n[{verdict} ] {name} ({report.duration * 1000:.0f} ms)")
 
 
 def pytest_sessionstart():

@@ -30,8 +30,8 @@ def test_one_ray_against_float64(core, tmp_path, mode, target):
     image = castray.compile(SCENES / "teapot.json")
     rays = image.rays(EYE, np.array(target) - EYE)
     answer = core.query(rays, image, mode=mode)
-    print(f"IP Verification: {'PASS' if answer.hits['prim'][0] == expected else 'FAIL'}, triangle {expected}, {mode}: {answer.cycles} cycles, "
-          f"{answer.cycles / CLOCK_MHZ:.2f} us at {CLOCK_MHZ} MHz, the report {REPORT_US} us")
+    print(f"\nIP Verification: {'PASS' if answer.hits['prim'][0] == expected else 'FAIL'}, triangle {expected}, {mode}: "
+          f"{answer.cycles} cycles, {answer.cycles / CLOCK_MHZ:.2f} us at {CLOCK_MHZ} MHz, the report {REPORT_US} us")
     assert answer.hits["prim"][0] == expected
     assert image.distances(rays, answer.hits)[0] == pytest.approx(distance, rel=1e-6)
     assert answer.counters["tests"] == 6320 if mode == "brute" else answer.counters["tests"] < 50

@@ -16,7 +16,8 @@ cd "$work/package"
 PYTHONPATH=$work/package exec "$OLDPWD/build/venv/castray/bin/python" -P - << 'EOF'
 import castray
 assert "/package/" in castray.__file__, castray.__file__
-for call, error in ((lambda: castray.Core(sim=True), castray.NoSimulationError), (lambda: castray.compile("scenes/teapot.json"), castray.NoCompilerError),
+for call, error in ((lambda: castray.Core(sim=True), castray.NoSimulationError),
+                    (lambda: castray.compile("scenes/teapot.json"), castray.NoCompilerError),
                     (lambda: castray.Core("castray.bit"), castray.NoBoardError)):
     try:
         call()

@@ -42,10 +42,11 @@ class SimulatedBoard(pynq.Device):
         self.free = memory
         pin = {"controller": "", "parent": "", "index": 0, "raw_irq": RAW_IRQ, "fullpath": "castray/interrupt"}
         pins = {"interrupt": pin} if interrupts else {}
-        ip = {"phys_addr": BASE, "addr_range": 0x1000, "type": vlnv, "fullpath": "castray", "parameters": {}, "registers": {},
-              "state": None, "interrupts": pins, "gpio": {}, "mem_id": None}
-        self.metadata = types.SimpleNamespace(ip_dict={"castray": ip}, gpio_dict={}, interrupt_controllers={}, hierarchy_dict={}, mem_dict={},
-                                              interrupt_pins={"castray/interrupt": pin} if interrupts else {}, clock_dict={}, systemgraph=None)
+        ip = {"phys_addr": BASE, "addr_range": 0x1000, "type": vlnv, "fullpath": "castray", "parameters": {},
+              "registers": {}, "state": None, "interrupts": pins, "gpio": {}, "mem_id": None}
+        self.metadata = types.SimpleNamespace(
+            ip_dict={"castray": ip}, interrupt_pins={"castray/interrupt": pin} if interrupts else {}, gpio_dict={},
+            interrupt_controllers={}, hierarchy_dict={}, mem_dict={}, clock_dict={}, systemgraph=None)
         pynq.interrupt._InterruptController._uio_devices[RAW_IRQ] = self
         pynq.Device.active_device = self
 
