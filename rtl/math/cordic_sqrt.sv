@@ -54,10 +54,10 @@ module cordic_sqrt
     first.y = {2'b0, rad} - Start;
   endfunction
 
-  // a - b, or a + b where add: one adder, of one bit more for the carry in.
+  // a - b, or a + b where add: one subtracter, of one bit more for the carry in.
   function automatic reach_t minus(reach_t a, reach_t b, logic add);
     logic signed [$bits(reach_t):0] sum;
-    sum = {a, 1'b1} + {b ^ {$bits(reach_t){!add}}, !add};
+    sum = {a, 1'b0} - {b ^ {$bits(reach_t){add}}, add};
     return sum[$bits(reach_t):1];
   endfunction
 

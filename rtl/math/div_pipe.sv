@@ -49,10 +49,11 @@ module div_pipe #(
   } step_t;
 
   // Quotient bits first..first+BitsPerStage-1. The integer bit is that of num - den, each later one that
-  // of twice the remainder, less the divisor or more. What is left of a num of den or more is nothing.
+  // of twice the remainder, less the divisor or more: a subtracter of one bit more for the carry in, whose
+  // minuend is a register, so that a bit of it is one LUT. What is left of a num of den or more is nothing.
   function automatic step_t divide(step_t from, op_t den, int unsigned first);
     logic [NumW:0] rem;
-    logic          digit;
+    logic          digit, unused;
     op_t           low;
     quo_t          quo;
     low   = from.rem;
@@ -65,7 +66,7 @@ module div_pipe #(
         low   = digit ? '0 : rem[NumW-1:0];
         quo   = {quo[Bits-2:0], digit};
       end else if (first + i < Bits) begin
-        rem   = {low, digit} + ({1'b0, den} ^ {(NumW + 1){digit}});
+        {rem, unused} = {low, 2'b00} - {{1'b0, den} ^ {(NumW + 1){!digit}}, !digit};
         digit = !rem[NumW];
         low   = rem[NumW-1:0];
         quo   = {quo[Bits-2:0], digit};
