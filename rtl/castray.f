@@ -19,7 +19,7 @@ rtl/math/cordic_sqrt.sv
 rtl/math/div_pipe.sv
 rtl/math/mul27.sv
 rtl/math/mul27_parts.sv
-rtl/math/root_seq.sv
+rtl/math/root_pipe.sv
 rtl/math/width_check.sv
 rtl/camera/dominant_axis.sv
 rtl/camera/frame_setup.sv
@@ -58,6 +58,7 @@ rtl/traverse/node_visits.sv
 rtl/traverse/prim_tests.sv
 rtl/traverse/ray_dispatch.sv
 rtl/traverse/ray_store.sv
+rtl/traverse/shared_hits.sv
 rtl/traverse/step.sv
 rtl/traverse/step_pair.sv
 rtl/traverse/frontier.sv

@@ -25,6 +25,6 @@ endmodule
 bind ray_source stream_probe #(.Stream(0), .Width($bits(dir))) u_probe_dir (.clk_i, .taken_i(dir_valid && dir_ready), .data_i(dir));
 bind castray_core stream_probe #(.Stream(1), .Width($bits(ray))) u_probe_ray (.clk_i, .taken_i(ray_valid && ray_ready), .data_i(ray));
 bind prim_tests stream_probe #(.Stream(2), .Width($bits(cand))) u_probe_cand (.clk_i, .taken_i(cand_valid), .data_i(cand));
-bind prim_tests stream_probe #(.Stream(3), .Width($bits(result))) u_probe_result (.clk_i, .taken_i(result_valid), .data_i(result));
+bind prim_tests stream_probe #(.Stream(3), .Width($bits(result_i))) u_probe_result (.clk_i, .taken_i(result_valid_i), .data_i(result_i));
 bind castray_core stream_probe #(.Stream(4), .Width($bits(cast.hit))) u_probe_hit (.clk_i, .taken_i(hit_valid && hit_ready), .data_i(cast.hit));
 bind shading stream_probe #(.Stream(5), .Width($bits(shaded))) u_probe_shaded (.clk_i, .taken_i(shaded_valid && shaded_ready), .data_i(shaded));

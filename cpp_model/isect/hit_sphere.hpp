@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "isect/hit_norm.hpp"
-#include "math/root_seq.hpp"
+#include "math/root_pipe.hpp"
 
 namespace castray {
 

@@ -2,15 +2,15 @@
 // |U|, |V| and |det| of a triangle, shifted together so that |det| has its top one at bit HitDivW - 1:
 // exact to the left, truncated to the right. They are what the divider divides.
 //   s1  leading zeros of |det|
-//   s2  num0 = U', num1 = V', den = det', HitDivW bits each
-// The inputs stay until s2 has taken them; en_i[k]: stage k + 1 takes its item.
+//   s2  num0 = U', num1 = V', den = det', HitDivW bits each       combinational, for the parent's register
+// One triangle a cycle, never stalls; en_i: s1 takes one.
 // Model: cpp_model/isect/hit_norm.hpp, equal bit for bit.
 module hit_norm
   import castray_cfg_pkg::*, castray_pkg::*;
 (
   input  logic               clk_i,
 
-  input  logic [1:0]         en_i,
+  input  logic               en_i,
   input  area_t              u_i,
   input  area_t              v_i,
   input  det_t               det_i,
@@ -20,6 +20,8 @@ module hit_norm
 );
   localparam int unsigned DetW = $bits(det_t);  // at most 63
   logic [5:0] zeros_q;
+  area_t      u_q, v_q;
+  det_t       det_q;
 
   function automatic logic [5:0] leading_zeros(det_t x);
     logic [63:0] rest;
@@ -29,18 +31,31 @@ module hit_norm
       if (leading_zeros[5-k]) rest = rest << (32 >> k);
     end
   endfunction
+
+  // One of four: a shift by two bits of its distance at once.
+  function automatic logic [63:0] shifted(logic [63:0] x, logic [1:0] by, int unsigned unit);
+    return by[1] ? (by[0] ? x << (3 * unit) : x << (2 * unit)) : (by[0] ? x << unit : x);
+  endfunction
+  // From coarse to fine: what can no longer come to the top falls away.
   function automatic logic [HitDivW-1:0] top_bits(det_t x, logic [5:0] zeros);
-    det_t shifted;
-    shifted = x << zeros;
-    return shifted[DetW-1-:HitDivW];
+    logic [63:0] wide;
+    wide = {x, {(64 - DetW){1'b0}}};
+    wide = shifted(wide, zeros[5:4], 16);
+    wide = shifted(wide, zeros[3:2], 4);
+    wide = shifted(wide, zeros[1:0], 1);
+    return wide[63 -: HitDivW];
   endfunction
 
   always_ff @(posedge clk_i) begin
-    if (en_i[0]) zeros_q <= leading_zeros(det_i);
-    if (en_i[1]) begin
-      num0_o <= top_bits({1'b0, u_i}, zeros_q);
-      num1_o <= top_bits({1'b0, v_i}, zeros_q);
-      den_o  <= top_bits(det_i, zeros_q);
+    if (en_i) begin
+      zeros_q <= leading_zeros(det_i);
+      u_q     <= u_i;
+      v_q     <= v_i;
+      det_q   <= det_i;
     end
   end
+
+  assign num0_o = top_bits({1'b0, u_q}, zeros_q);
+  assign num1_o = top_bits({1'b0, v_q}, zeros_q);
+  assign den_o  = top_bits(det_q, zeros_q);
 endmodule

@@ -3,13 +3,14 @@
 //   triangle   u = U / det, v = V / det, t = Cz + u (Az - Cz) + v (Bz - Cz)
 //   sphere     t = Cz + (b -+ root) / |S|^2                       (units and roundings: the parts)
 // on permuted axes, then turned into the ray's direction.
-//   front      one candidate: its shift (hit_norm, 2 cycles) or its root (hit_sphere)
-//   issue      two cycles: the first division, then the second
-//   div_pipe   operands of HitDivW bits, BaryFrac fraction bits, nearest
+//   s1         the candidate
+//   s2, s3     a triangle's shift (hit_norm); a sphere's root comes first (hit_sphere)
+//   div_pipe   (two) operands of HitDivW bits, BaryFrac fraction bits, nearest
 //   tail       hit_distance
-// One triangle every two cycles; a sphere blocks the front while its root is taken. The tail never
-// stalls: a result is always taken. retire_o: the candidate of out_o.ctx is finished, whether emitted
-// or not. out_valid_o comes with retire_o, at most every second cycle, in order. 2 DSPs.
+// One candidate a cycle, but none (in_ready_o) where it would meet a sphere whose root is taken. Nothing
+// stalls behind that: a result is always taken. retire_o: the candidate of out_o.ctx in lane out_lane_o is
+// finished, whether emitted or not; out_valid_o comes with retire_o. Triangles come out in order, and so do
+// spheres. What the divisions do not need waits in the tail's memories. 4 DSPs.
 // Model: cpp_model/isect/hit_unit.hpp, equal bit for bit.
 module hit_unit
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -21,133 +22,148 @@ module hit_unit
   output logic     in_ready_o,
   input  cand_t    in_i,
   input  hit_ray_t in_ray_i,
+  input  lane_no_t in_lane_i,
 
   output logic     out_valid_o,
   output result_t  out_o,
-  output logic     retire_o,
-  output logic     idle_o        // no candidate inside
+  output lane_no_t out_lane_o,
+  output logic     retire_o
 );
   localparam int unsigned DivBitsPerStage = 2;
-  // Candidates between issue and result: one every two cycles, through the divider (QFrac + 2 bits,
-  // and its rounding), the tail's six stages and one to spare.
-  localparam int unsigned InFlight = ((BaryFrac + 3) / DivBitsPerStage + 1 + 6) / 2 + 2;
-  localparam int unsigned Places   = 16;
-  if (InFlight > Places) begin : g_check
-    $error("hit_unit: more candidates in flight than places");
+  localparam int unsigned DivCycles  = (BaryFrac + 2 + DivBitsPerStage - 1) / DivBitsPerStage + 1;
+  localparam int unsigned RootCycles = (CoordW + 2) / 2;
+  // A candidate's place in the tail's memories is the cycle in which it enters: there are more places than
+  // cycles that any is inside, a sphere's root, three cycles to the divider, and seven behind it.
+  localparam int unsigned PlaceW = 6;
+  if (RootCycles + 3 + DivCycles + 7 >= 1 << PlaceW) begin : g_check
+    $error("hit_unit: a candidate is inside for more cycles than there are places");
   end
+  typedef logic [PlaceW-1:0] place_t;
 
   width_check u_widths ();
 
-  // ---- Front: one candidate ----
-  typedef enum logic [1:0] {Empty, Start, Ready} step_t;
-  step_t    step_q;
+  place_t place_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) place_q <= '0;
+    else place_q <= place_q + 1'b1;
+  end
+
+  // ---- s1 ----
+  logic     take, soon, valid1_q, valid2_q;
   cand_t    cand_q;
   hit_ray_t ray_q;
-  logic     take, is_sphere, sphere_ready, sphere_done, load;
+  place_t   place1_q, place2_q;
+  logic     triangle1, sphere1;
 
-  logic     job_valid_q, job_last_q, issue, issued;
-
-  assign is_sphere  = cand_q.kind == KindSphere;
-  assign load       = step_q == Ready && (!is_sphere || sphere_done) && (!job_valid_q || issued);
-  assign in_ready_o = step_q == Empty || load;
+  assign in_ready_o = !soon;
   assign take       = in_valid_i && in_ready_o;
+  assign triangle1  = valid1_q && cand_q.kind == KindTriangle;
+  assign sphere1    = valid1_q && cand_q.kind == KindSphere;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      step_q <= Empty;
+      valid1_q <= 1'b0;
+      valid2_q <= 1'b0;
     end else begin
-      unique case (step_q)
-        Start:   if (!is_sphere || sphere_ready) step_q <= Ready;
-        default: if (in_ready_o) step_q <= in_valid_i ? Start : Empty;
-      endcase
+      valid1_q <= take;
+      valid2_q <= triangle1;
     end
   end
   always_ff @(posedge clk_i) begin
     if (take) begin
-      cand_q <= in_i;
-      ray_q  <= in_ray_i;
+      cand_q   <= in_i;
+      ray_q    <= in_ray_i;
+      place1_q <= place_q;
     end
   end
 
+  // ---- s2, s3: the two divisions, of a triangle or of a sphere ----
   logic [HitDivW-1:0] tri_num0, tri_num1, tri_den, sphere_num0, sphere_num1, sphere_den;
-  delta_t             sphere_scale0, sphere_scale1;
+  delta_t             sphere_scale0, sphere_scale1, scale0_2q, scale1_2q;
+  logic               sphere3;
+  place_t             sphere_place;
 
-  hit_norm u_norm (
-    .clk_i, .en_i({load && !is_sphere, step_q == Start && !is_sphere}),
-    .u_i(cand_q.u), .v_i(cand_q.v), .det_i(cand_q.det),
-    .num0_o(tri_num0), .num1_o(tri_num1), .den_o(tri_den)
-  );
-  hit_sphere u_sphere (
-    .clk_i, .rst_ni,
-    .start_i(step_q == Start && is_sphere), .ready_o(sphere_ready),
-    .disc_i(cand_q.det[2*CoordW-2:0]), .towards_i(cand_q.az), .neg_i(ray_q.neg), .norm2_i(ray_q.norm2),
-    .done_o(sphere_done), .take_i(load),
-    .num0_o(sphere_num0), .num1_o(sphere_num1), .den_o(sphere_den),
-    .scale0_o(sphere_scale0), .scale1_o(sphere_scale1)
-  );
-
-  // ---- Issue: the candidate's two divisions ----
   function automatic delta_t minus(towards_t a, delta_t b);
     return delta_t'(a) - b;  // both corners lie on the grid: it fits
   endfunction
 
-  ctx_t               job_ctx_q;
-  prim_t              job_number_q;
-  logic               job_kind_q;
-  delta_t             job_cz_q, scale0_q, scale1_q;
-  hit_ray_t           job_ray_q;
-  logic               div_ready;
-  logic [HitDivW-1:0] num, den;
-
-  assign issue  = job_valid_q;
-  assign issued = issue && div_ready && job_last_q;
-
+  hit_norm u_norm (
+    .clk_i, .en_i(triangle1), .u_i(cand_q.u), .v_i(cand_q.v), .det_i(cand_q.det),
+    .num0_o(tri_num0), .num1_o(tri_num1), .den_o(tri_den)
+  );
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      job_valid_q <= 1'b0;
-      job_last_q  <= 1'b0;
-    end else begin
-      if (load) job_valid_q <= 1'b1;
-      else if (issued) job_valid_q <= 1'b0;
-      if (issue && div_ready) job_last_q <= !job_last_q;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (load) begin
-      job_ctx_q    <= cand_q.ctx;
-      job_number_q <= cand_q.number;
-      job_kind_q   <= cand_q.kind;
-      job_cz_q     <= cand_q.cz;
-      job_ray_q    <= ray_q;
-      scale0_q     <= is_sphere ? sphere_scale0 : minus(cand_q.az, cand_q.cz);
-      scale1_q     <= is_sphere ? sphere_scale1 : minus(towards_t'(cand_q.bz), cand_q.cz);
+    if (triangle1) begin
+      scale0_2q <= minus(cand_q.az, cand_q.cz);
+      scale1_2q <= minus(towards_t'(cand_q.bz), cand_q.cz);
+      place2_q  <= place1_q;
     end
   end
 
-  assign num = (job_kind_q == KindSphere) ? (job_last_q ? sphere_num1 : sphere_num0)
-                                          : (job_last_q ? tri_num1 : tri_num0);
-  assign den = (job_kind_q == KindSphere) ? sphere_den : tri_den;
-
-  // ---- Division and tail ----
-  logic  q_valid, q_last;
-  bary_t q;
-
-  div_pipe #(.NumW(HitDivW), .QFrac(BaryFrac), .BitsPerStage(DivBitsPerStage), .tag_t(logic)) u_div (
+  hit_sphere #(.tag_t(place_t)) u_sphere (
     .clk_i, .rst_ni,
-    .in_valid_i(issue), .in_ready_o(div_ready), .in_num_i(num), .in_den_i(den), .in_tag_i(job_last_q),
-    .out_valid_o(q_valid), .out_ready_i(1'b1), .out_q_o(q), .out_tag_o(q_last)
+    .valid_i(sphere1), .disc_i(cand_q.det[2*CoordW-2:0]), .towards_i(cand_q.az),
+    .neg_i(ray_q.neg), .norm2_i(ray_q.norm2), .tag_i(place1_q),
+    .soon_o(soon), .valid_o(sphere3),
+    .num0_o(sphere_num0), .num1_o(sphere_num1), .den_o(sphere_den),
+    .scale0_o(sphere_scale0), .scale1_o(sphere_scale1), .tag_o(sphere_place)
   );
 
-  hit_distance #(.Places(Places)) u_distance (
+  typedef struct packed {
+    delta_t scale0;
+    delta_t scale1;
+  } scales_t;
+  logic               valid3_q;
+  place_t             place3_q;
+  scales_t            scales3_q;
+  logic [HitDivW-1:0] num0_q, num1_q, den_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid3_q <= 1'b0;
+    else valid3_q <= valid2_q || sphere3;
+  end
+  always_ff @(posedge clk_i) begin
+    if (valid2_q || sphere3) begin
+      num0_q    <= sphere3 ? sphere_num0 : tri_num0;
+      num1_q    <= sphere3 ? sphere_num1 : tri_num1;
+      den_q     <= sphere3 ? sphere_den : tri_den;
+      scales3_q <= sphere3 ? '{scale0: sphere_scale0, scale1: sphere_scale1}
+                           : '{scale0: scale0_2q, scale1: scale1_2q};
+      place3_q  <= sphere3 ? sphere_place : place2_q;
+    end
+  end
+
+  // ---- The divisions; the scales wait beside them, at the place of the cycle ----
+  localparam int unsigned DivPlaceW = $clog2(DivCycles + 1);
+  typedef logic [DivPlaceW-1:0] div_place_t;
+  logic       q_valid;
+  bary_t      q0, q1;
+  place_t     q_place;
+  div_place_t div_place;
+  scales_t    scales_q [1 << DivPlaceW];
+  scales_t    scales;
+  assign div_place = div_place_t'(place_q);
+  assign scales    = scales_q[div_place - div_place_t'(DivCycles)];
+  always_ff @(posedge clk_i) begin
+    if (valid3_q) scales_q[div_place] <= scales3_q;
+  end
+
+  div_pipe #(.NumW(HitDivW), .QFrac(BaryFrac), .BitsPerStage(DivBitsPerStage), .tag_t(place_t)) u_div0 (
     .clk_i, .rst_ni,
-    .put_i(issue && div_ready && !job_last_q), .put_ctx_i(job_ctx_q), .put_number_i(job_number_q),
-    .put_kind_i(job_kind_q), .put_cz_i(job_cz_q), .put_scale0_i(scale0_q), .put_scale1_i(scale1_q),
-    .put_ray_i(job_ray_q),
-    .q_valid_i(q_valid), .q_last_i(q_last), .q_i(q),
-    .done_o(retire_o), .out_valid_o, .out_o
+    .in_valid_i(valid3_q), .in_ready_o(), .in_num_i(num0_q), .in_den_i(den_q), .in_tag_i(place3_q),
+    .out_valid_o(q_valid), .out_ready_i(1'b1), .out_q_o(q0), .out_tag_o(q_place)
+  );
+  div_pipe #(.NumW(HitDivW), .QFrac(BaryFrac), .BitsPerStage(DivBitsPerStage), .tag_t(logic)) u_div1 (
+    .clk_i, .rst_ni,
+    .in_valid_i(valid3_q), .in_ready_o(), .in_num_i(num1_q), .in_den_i(den_q), .in_tag_i(1'b0),
+    .out_valid_o(), .out_ready_i(1'b1), .out_q_o(q1), .out_tag_o()
   );
 
-  credit #(.Limit(2 + Places)) u_inside (   // one in the front, one being issued
-    .clk_i, .rst_ni, .take_i(take), .give_i(retire_o), .available_o(), .idle_o
+  // ---- The tail ----
+  hit_distance #(.PlaceW(PlaceW)) u_distance (
+    .clk_i, .rst_ni,
+    .put_i(take), .put_place_i(place_q), .put_ctx_i(in_i.ctx), .put_number_i(in_i.number), .put_kind_i(in_i.kind),
+    .put_cz_i(in_i.cz), .put_lane_i(in_lane_i), .put_ray_i(in_ray_i),
+    .q_valid_i(q_valid), .q_place_i(q_place), .q0_i(q0), .q1_i(q1), .scale0_i(scales.scale0), .scale1_i(scales.scale1),
+    .done_o(retire_o), .out_valid_o, .out_o, .out_lane_o
   );
 endmodule

@@ -7,7 +7,8 @@
 //            +--> node_visits --> +
 //   ray --> step                  +--> step ... --> done: its hit leaves
 //            +--> line_fetch --> leaf_tests --> prim_tests --> over
-//                    (leaves)
+//                    (leaves)                          |
+//                                        cand_o to the hit unit of all lanes, and back
 //
 // Units meet a context's ray and its nearest hit at their heads, in ray_store and prim_tests.
 // hierarchy_i and tree_i stand still from the reset on. Without hierarchy_i step, node_visits and
@@ -43,6 +44,14 @@ module lane
   input  logic             tile_write_i,
   input  logic [TileW-1:0] tile_index_i,
   input  node_t            tile_node_i,
+
+  output logic             cand_valid_o,   // accepted tests, to the hit unit of all lanes
+  input  logic             cand_ready_i,
+  output cand_t            cand_o,
+  output hit_ray_t         cand_ray_o,
+  input  logic             hit_over_i,     // one is over
+  input  logic             result_valid_i,
+  input  result_t          result_i,       // its context, and its result where result_valid_i
 
   input  logic             emit_i,         // hits may leave
   output logic             hit_valid_o,
@@ -100,8 +109,6 @@ module lane
   logic [1:0]      any_hit;
   prim_t           look_ignore;
   slab_ray_t       node_ray;
-  hit_ray_t        hit_ray;
-  logic [IdxW-1:0] hit_ctx;
 
   ray_store #(.Contexts(Contexts)) u_rays (
     .clk_i,
@@ -110,7 +117,7 @@ module lane
     .look_ctx_i(IdxW'(look_ctx)), .look_valid_o(look_valid), .look_ignore_o(look_ignore),
     .node_ctx_i(IdxW'(node_ctx)), .node_ray_o(node_ray),
     .step_ctx_i(step_ctx), .step_any_hit_o(any_hit),
-    .hit_ctx_i(hit_ctx), .hit_ray_o(hit_ray),
+    .hit_ctx_i(IdxW'(cand_o.ctx)), .hit_ray_o(cand_ray_o),
     .out_ctx_i(IdxW'(out_ctx)), .out_tag_o(hit_o.tag), .out_sx_o(hit_o.sx), .out_sy_o(hit_o.sy),
     .out_axis_o(hit_o.axis), .out_neg_o(hit_o.neg), .out_any_hit_o(hit_o.any_hit)
   );
@@ -205,8 +212,8 @@ module lane
     .start_i(ray_taken), .start_ready_o(tests_ready), .start_ctx_i(IdxW'(free_ctx)), .tmax_i(ray_i.tmax),
     .test_valid_i(test), .test_ready_o, .test_ctx_i(test_ctx), .test_ray_i(test_ray),
     .test_prim_i(tested),
-    .hit_ctx_o(hit_ctx), .hit_ray_i(hit_ray),
-    .over_o(test_over), .over_ctx_o(over_ctx), .idle_o(quiet_o), .cand_o(events_o.cand),
+    .cand_valid_o, .cand_ready_i, .cand_o, .hit_over_i, .result_valid_i, .result_i,
+    .over_o(test_over), .over_ctx_o(over_ctx), .idle_o(quiet_o), .accept_o(events_o.cand),
     .node_ctx_i(IdxW'(node_ctx)), .node_t_o(node_t_near),
     .step_ctx_i(step_ctx), .step_reach_o(step_reach), .step_found_o(found),
     .out_ctx_i(IdxW'(out_ctx)), .out_found_o(hit_o.found), .out_o(best), .out_tests_o(tests)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// From tests to nearest hits: what the exact test accepts waits in a queue for the one hit unit, and
-// the results for the nearest-hit memory. Nothing stalls once a test has entered: it enters only
-// when the queue has a place for it.
+// From tests to nearest hits: what the exact test accepts waits in a queue for the hit unit that the
+// lanes share (cand_o), and its results go to the nearest-hit memory. Nothing stalls once a test has
+// entered: it enters only when the queue has a place for it.
 //
-//   test -> ray_prim --accepted--> queue -> hit_unit --beyond tmin--> nearest
-//                \--> over_o[0]                  \--> over_o[1]
+//   test -> ray_prim --accepted--> queue -> (hit unit) --beyond tmin--> nearest
+//                \--> over_o[0]                   \--> over_o[1]
 //
-// One test a cycle; an accepted one takes the divider two. over_o: a test of over_ctx_o is over, and
-// so is its result from the next cycle on.
+// One test a cycle. over_o: a test of over_ctx_o is over, and so is its result from the next cycle on.
 // Model: cpp_model/traverse/prim_tests.hpp, equal bit for bit.
 module prim_tests
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -29,13 +28,17 @@ module prim_tests
   input  test_ray_t       test_ray_i,
   input  prim_slot_t      test_prim_i,
 
-  output logic [IdxW-1:0] hit_ctx_o,       // the ray that the hit unit needs
-  input  hit_ray_t        hit_ray_i,
+  output logic            cand_valid_o,    // to the hit unit
+  input  logic            cand_ready_i,
+  output cand_t           cand_o,
+  input  logic            hit_over_i,      // a candidate is over
+  input  logic            result_valid_i,  // and this is its result
+  input  result_t         result_i,        // its context either way
 
   output logic [1:0]      over_o,
   output ctx_t            over_ctx_o [2],
   output logic            idle_o,          // no test or division is under way
-  output logic            cand_o,          // an accepted test: counter event
+  output logic            accept_o,        // an accepted test: counter event
 
   input  logic [IdxW-1:0] node_ctx_i,      // for the node pipe: the nearest t
   output t_t              node_t_o,
@@ -59,45 +62,36 @@ module prim_tests
     .in_valid_i(test_valid_i), .in_ctx_i(test_ctx_i), .in_ray_i(test_ray_i), .in_prim_i(test_prim_i),
     .out_valid_o(cand_valid), .out_o(cand), .retire_o(miss)
   );
-  assign cand_o = cand_valid;
+  assign accept_o = cand_valid;
 
   // ---- What it accepted waits for the hit unit ----
-  logic  queue_valid, queue_take, queue_pop, tests_idle;
-  cand_t queue_head;
+  logic queue_pop, tests_idle, hits_idle;
 
   stream_fifo #(.data_t(cand_t), .Depth(QueueDepth)) u_queue (
     .clk_i, .rst_ni,
     .valid_i(cand_valid), .ready_o(), .data_i(cand),
-    .valid_o(queue_valid), .ready_i(queue_take), .data_o(queue_head), .used_o()
+    .valid_o(cand_valid_o), .ready_i(cand_ready_i), .data_o(cand_o), .used_o()
   );
-  assign queue_pop = queue_valid && queue_take;
-  assign hit_ctx_o = IdxW'(queue_head.ctx);
+  assign queue_pop = cand_valid_o && cand_ready_i;
 
   credit #(.Limit(QueueDepth), .Gives(2)) u_tests (
     .clk_i, .rst_ni,
     .take_i(test_valid_i), .give_i({queue_pop, miss}),
     .available_o(test_ready_o), .idle_o(tests_idle)
   );
-
-  // ---- Division and the nearest hit ----
-  logic    result_valid, hit_over, hits_idle;
-  result_t result;
-
-  hit_unit u_hit_unit (
-    .clk_i, .rst_ni,
-    .in_valid_i(queue_valid), .in_ready_o(queue_take), .in_i(queue_head), .in_ray_i(hit_ray_i),
-    .out_valid_o(result_valid), .out_o(result), .retire_o(hit_over),
-    .idle_o(hits_idle)
+  credit #(.Limit(63)) u_hits (   // in the hit unit: no more than its places
+    .clk_i, .rst_ni, .take_i(queue_pop), .give_i(hit_over_i), .available_o(), .idle_o(hits_idle)
   );
 
+  // ---- The nearest hit ----
   assign idle_o     = tests_idle && hits_idle;
-  assign over_o     = {hit_over, miss};
-  assign over_ctx_o = '{cand.ctx, result.ctx};
+  assign over_o     = {hit_over_i, miss};
+  assign over_ctx_o = '{cand.ctx, result_i.ctx};
 
   nearest #(.Contexts(Contexts)) u_nearest (
     .clk_i,
     .start_i, .start_ctx_i, .tmax_i,
-    .result_valid_i(result_valid), .result_i(result),
+    .result_valid_i, .result_i,
     .node_ctx_i, .node_t_o, .step_ctx_i, .step_reach_o, .step_found_o,
     .out_ctx_i, .out_found_o, .out_o
   );
@@ -107,7 +101,7 @@ module prim_tests
   logic [Contexts-1:0] none_q;      // not tested yet
   logic [IdxW-1:0]     test_ctx;
   assign test_ctx      = IdxW'(test_ctx_i);
-  assign start_ready_o = !result_valid;
+  assign start_ready_o = !result_valid_i;
   assign out_tests_o   = none_q[out_ctx_i] ? '0 : tests_q[out_ctx_i];
   always_ff @(posedge clk_i) begin
     if (start_i) none_q[start_ctx_i] <= 1'b1;

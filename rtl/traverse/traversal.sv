@@ -152,6 +152,16 @@ module traversal
   logic [Lanes-1:0] hit_valid, hit_ready, found;
   cast_t            cast [Lanes+1];
   error_t           lane_fault [Lanes];
+  logic [Lanes-1:0] cand_valid, cand_ready, hit_over, result_valid;
+  cand_t            cand [Lanes];
+  hit_ray_t         cand_ray [Lanes];
+  result_t          result;
+
+  shared_hits #(.Lanes(Lanes)) u_hits (
+    .clk_i, .rst_ni,
+    .cand_valid_i(cand_valid), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
+    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
+  );
 
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
     logic [SlotW-1:0] tile_slot;
@@ -178,6 +188,8 @@ module traversal
       .test_ctx_i(test_ctx), .test_prim_i(test_prim),
       .tile_write_i(store_valid_i), .tile_index_i({store_slot_i[SlotW-1:0], store_second_i}),
       .tile_node_i(store_node_i),
+      .cand_valid_o(cand_valid[i]), .cand_ready_i(cand_ready[i]), .cand_o(cand[i]), .cand_ray_o(cand_ray[i]),
+      .hit_over_i(hit_over[i]), .result_valid_i(result_valid[i]), .result_i(result),
       .emit_i(emit || !brute_i),
       .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(cast[i].hit), .work_o(cast[i].work),
       .fault_o(lane_fault[i]),

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "math/root_seq.hpp"
+#include "math/root_pipe.hpp"
 
 namespace castray::tb {
 namespace {

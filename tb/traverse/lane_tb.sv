@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// lane with a hit unit of its own.
+module lane_tb
+  import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
+#(
+  parameter int unsigned Contexts  = DefaultContexts,
+  parameter int unsigned NodeLines = 512,   // of the caches
+  parameter int unsigned LeafLines = 512,
+  parameter int unsigned TileNodes = 32,    // nodes of tiles' frontiers
+  parameter bit          GateClocks = 1'b0,
+  localparam int unsigned TileW    = $clog2(TileNodes)
+) (
+  input  logic             clk_i,
+  input  logic             rst_ni,
+  input  logic             hierarchy_i,
+  input  tree_t            tree_i,
+
+  input  logic             fill_i,
+  input  logic             ray_valid_i,
+  output logic             ray_ready_o,
+  input  ray_t             ray_i,
+  input  start_t           start_i,
+
+  input  logic             test_valid_i,
+  output logic             test_ready_o,
+  input  logic             test_step_i,
+  input  ctx_t             test_ctx_i,
+  input  prim_slot_t       test_prim_i,
+
+  input  logic             tile_write_i,
+  input  logic [TileW-1:0] tile_index_i,
+  input  node_t            tile_node_i,
+
+  input  logic             emit_i,
+  output logic             hit_valid_o,
+  input  logic             hit_ready_i,
+  output hit_t             hit_o,
+  output work_t            work_o,
+  output error_t           fault_o,
+
+  output logic             node_req_valid_o,
+  input  logic             node_req_ready_i,
+  output line_req_t        node_req_o,
+  input  logic             node_fill_valid_i,
+  output logic             node_fill_ready_o,
+  input  line_fill_t       node_fill_i,
+  output logic             leaf_req_valid_o,
+  input  logic             leaf_req_ready_i,
+  output line_req_t        leaf_req_o,
+  input  logic             leaf_fill_valid_i,
+  output logic             leaf_fill_ready_o,
+  input  line_fill_t       leaf_fill_i,
+
+  output logic [CtxW:0]    used_o,
+  output logic             full_o,
+  output logic             empty_o,
+  output logic             quiet_o,
+  output lane_events_t     events_o
+);
+  logic     cand_valid, cand_ready, hit_over, result_valid;
+  cand_t    cand [1];
+  hit_ray_t cand_ray [1];
+  result_t  result;
+  shared_hits #(.Lanes(1)) u_hits (
+    .clk_i, .rst_ni,
+    .cand_valid_i(cand_valid), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
+    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
+  );
+
+  lane #(.GateClocks(GateClocks), .Contexts(Contexts), .NodeLines(NodeLines), .LeafLines(LeafLines), .TileNodes(TileNodes)) u_lane (
+    .cand_valid_o(cand_valid), .cand_ready_i(cand_ready), .cand_o(cand[0]), .cand_ray_o(cand_ray[0]), .hit_over_i(hit_over),
+    .result_valid_i(result_valid), .result_i(result),
+    .clk_i, .rst_ni, .hierarchy_i, .tree_i, .fill_i, .ray_valid_i, .ray_ready_o, .ray_i, .start_i, .test_valid_i,
+    .test_ready_o, .test_step_i, .test_ctx_i, .test_prim_i, .tile_write_i, .tile_index_i, .tile_node_i, .emit_i,
+    .hit_valid_o, .hit_ready_i, .hit_o, .work_o, .fault_o, .node_req_valid_o, .node_req_ready_i, .node_req_o,
+    .node_fill_valid_i, .node_fill_ready_o, .node_fill_i, .leaf_req_valid_o, .leaf_req_ready_i, .leaf_req_o,
+    .leaf_fill_valid_i, .leaf_fill_ready_o, .leaf_fill_i, .used_o, .full_o, .empty_o, .quiet_o, .events_o
+  );
+endmodule
