@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A corner moved along the ray onto the plane z = 0, in units of two steps:
 //   x' = (x - sx z) / 2,  y' = (y - sy z) / 2      to the nearest integer, halves upwards
-//   s1, s2  the parts of sx z, sy z    exact        4 DSPs
+// from the shear turned back, (-sx, -sy): so nothing but floors follow the products.
+//   s1, s2  the parts of -sx z, -sy z  exact        4 DSPs
 //   s3      x', y'                     CoordW + 1 bits: |x - sx z| < 2^(CoordW+1) steps
 // One corner a cycle, three cycles, never stalls; en_i[k]: stage k + 1 takes an item.
 // Model: cpp_model/isect/shear.hpp, equal bit for bit.
@@ -14,8 +15,8 @@ module shear
   input  delta_t     x_i,
   input  delta_t     y_i,
   input  delta_t     z_i,
-  input  shear_t     sx_i,
-  input  shear_t     sy_i,
+  input  shear_t     back_x_i,   // -sx
+  input  shear_t     back_y_i,   // -sy
   output sheared_t   x_o,
   output sheared_t   y_o
 );
@@ -26,14 +27,20 @@ module shear
   delta_t             x1_q, x2_q, y1_q, y2_q;
   mul_part_t          low_x, high_x, low_y, high_y;
 
-  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(sx_i)), .low_o(low_x), .high_o(high_x));
-  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(sy_i)), .low_o(low_y), .high_o(high_y));
+  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(back_x_i)), .low_o(low_x), .high_o(high_x));
+  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(back_y_i)), .low_o(low_y), .high_o(high_y));
 
-  // The only place where precision is lost: half a unit of two steps.
+  // The only place where precision is lost: half a unit of two steps. What of a product is below a step, and
+  // what of its lower part is below the upper one's last bit, falls away at once.
+  localparam int unsigned HighBit = DspBW - 1;
+  localparam int unsigned Cut     = (ShearFrac < HighBit) ? ShearFrac : HighBit;
   function automatic sheared_t round_half(delta_t x, mul_part_t low, mul_part_t high);
-    mul_part_t twice;
-    twice = (mul_part_t'(x) <<< ShearFrac) + (mul_part_t'(1) <<< ShearFrac) - low - (high <<< (DspBW - 1));
-    return sheared_t'(twice >>> (ShearFrac + 1));
+    logic signed [2*DspAW-1-Cut:0] product;
+    logic signed [CoordW+1:0]      steps, twice;
+    product = (2 * DspAW - Cut)'(low >>> Cut) + (2 * DspAW - Cut)'(high <<< (HighBit - Cut));
+    steps   = (CoordW + 2)'(product >>> (ShearFrac - Cut));
+    twice   = (CoordW + 2)'(x) - ~steps;   // x + steps + 1
+    return sheared_t'(twice >>> 1);
   endfunction
 
   always_ff @(posedge clk_i) begin
