@@ -23,5 +23,6 @@ include tools/core.mk
 include tools/formal.mk
 include fpga/ultra96/board.mk
 include tools/python.mk
+include tools/arm64.mk
 include tools/targets.mk
 include tools/synth.mk

@@ -5,9 +5,15 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 namespace castray::sim {
+
+// The device is not there, is not what this program was built for, or does not come back.
+struct DeviceError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 // A piece of memory that host and core both reach; `address` is what the core sees.
 struct Buffer {

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver.hpp"
 
-#include <cstdio>
 #include <cstring>
 
+#include "build_check.hpp"
 #include "mem/image.hpp"
 
 namespace castray::sim {
 namespace {
 
 constexpr std::uint8_t kUntouched = 0xa5;  // what the buffers hold before the core writes them
-
-std::string hex(std::uint32_t value) {
-  char text[16];
-  std::snprintf(text, sizeof text, "0x%08x", value);
-  return text;
-}
 
 std::uint32_t pair(int low, int high) { return static_cast<std::uint32_t>(low) | static_cast<std::uint32_t>(high) << 16; }
 
@@ -31,13 +25,7 @@ std::vector<std::uint8_t> bytes_of(std::span<const ray_record_t> rays) {
 }
 
 Driver::Driver(Device& device) : device_(device) {
-  const auto expect = [&](const char* what, std::int64_t reg, std::int64_t expected) {
-    const std::uint32_t got = device_.read_reg(static_cast<unsigned>(reg));
-    const auto wanted = static_cast<std::uint32_t>(expected);
-    if (got != wanted) throw DeviceError(std::string("the device's ") + what + " register holds " + hex(got) + ", this program needs " + hex(wanted));
-  };
-  expect("version", RegVersion, VersionMajor << 16 | VersionMinor << 8 | VersionPatch);
-  expect("parameters", RegParameters, ImageParameters);
+  check_build([&](unsigned offset) { return device_.read_reg(offset); });
 }
 
 Driver::~Driver() { release(); }

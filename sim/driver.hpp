@@ -4,19 +4,13 @@
 #include <array>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "device.hpp"
 #include "fixed.hpp"
-#include "scene/compile.hpp"
+#include "scene/scene_image.hpp"
 
 namespace castray::sim {
-
-// The device is not what this program was built for, or it does not come back.
-struct DeviceError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct PixelWindow {
   int x0 = 0;

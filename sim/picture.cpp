@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "scene/compile.hpp"
 #include "scene/replacement.hpp"
 
 #include "mem/hit_writer.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "axi/axi_lite_regs.hpp"
+#include "job_windows.hpp"
 #include "probe.hpp"
 
 namespace castray::sim {
@@ -40,14 +41,11 @@ void RtlDevice::write_reg(unsigned offset, std::uint32_t value) {
 
 void RtlDevice::open_windows() {
   const job_t job = job_of_registers([&](unsigned offset) { return written_[offset]; });
-  std::vector<Window> windows{{job.image, job.image_bytes, true, false}};
-  if (job.is_list) windows.push_back({job.rays, job.ray_bytes, true, false});
-  else windows.push_back({job.frame, job.frame_bytes, false, true});
-  if (job.want_hits) windows.push_back({job.hits, job.hits_bytes, false, true});
+  std::vector<Window> windows;
+  for (const JobWindow& window : windows_of(job)) windows.push_back({window.address, window.bytes, !window.written, window.written});
   memory_.set_windows(windows);
   memory_.clear_counters();
-  bytes_expected_ = job.is_list ? job.ray_count * HitBytes
-                             : (job.x1 - job.x0) * (job.y1 - job.y0) * (PixelBytes + (job.want_hits ? HitBytes : 0));
+  bytes_expected_ = bytes_written(job);
 }
 
 double RtlDevice::fraction() const {

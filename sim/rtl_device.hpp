@@ -37,6 +37,8 @@ class RtlDevice final : public Device {
   Wait wait_interrupt(const Progress& progress) override;
   void reset() override;
 
+  // Memory that someone else owns, at this address: no buffer of the device.
+  void attach(std::uint64_t address, std::span<std::uint8_t> bytes) { storage_.attach(address, bytes); }
   // Lets some cycles pass; true if the interrupt is high.
   bool advance(std::uint64_t cycles) { return core_->run(memory_, cycles); }
   std::uint64_t cycle() const { return core_->cycle(); }

@@ -22,10 +22,18 @@ class Storage {
 
   Buffer allocate(std::uint64_t bytes) {
     const Buffer buffer{next_, bytes};
-    buffers_.emplace(next_, std::vector<std::uint8_t>(bytes));
+    Piece& piece = buffers_[next_];
+    piece.own.resize(bytes);
+    piece.bytes = piece.own;
     next_ += (bytes + 2 * kPage - 1) / kPage * kPage + kPage;
     last_ = {};
     return buffer;
+  }
+
+  // Bytes that stay someone else's, as memory of this address; no buffer lies there.
+  void attach(std::uint64_t address, std::span<std::uint8_t> bytes) {
+    buffers_[address].bytes = bytes;
+    last_ = {};
   }
 
   void release(const Buffer& buffer) {
@@ -39,9 +47,9 @@ class Storage {
       auto it = buffers_.upper_bound(address);
       if (it == buffers_.begin()) return nullptr;
       --it;
-      const std::uint64_t size = it->second.size();
+      const std::uint64_t size = it->second.bytes.size();
       if (address - it->first > size || bytes > size - (address - it->first)) return nullptr;
-      last_ = {it->first, size, it->second.data()};
+      last_ = {it->first, size, it->second.bytes.data()};
     }
     return last_.data + (address - last_.first);
   }
@@ -54,6 +62,10 @@ class Storage {
   }
 
  private:
+  struct Piece {
+    std::vector<std::uint8_t> own;
+    std::span<std::uint8_t> bytes;
+  };
   struct Last {
     std::uint64_t first = 0;
     std::uint64_t bytes = 0;
@@ -66,7 +78,7 @@ class Storage {
     return data;
   }
 
-  std::map<std::uint64_t, std::vector<std::uint8_t>> buffers_;
+  std::map<std::uint64_t, Piece> buffers_;
   std::uint64_t next_;
   Last last_;
 };

@@ -48,8 +48,8 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 	  sim/core_instance.cpp $< $(VERILATED_PIC) -lz -latomic -lpthread -o $@
 
 # ---- Programs ----
-SIM_PROGRAMS := castray make_scene bench
-SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp))
+SIM_PROGRAMS := castray castray_board make_scene bench
+SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp sim/uio/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 # The command line runs once: its templates are not worth the compiler's effort.
 $(BUILD)/obj/sim/cli/%.o: CXXFLAGS += -O1

@@ -10,20 +10,9 @@
 #include "scene/grid.hpp"
 #include "scene/list_ray.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_image.hpp"
 
 namespace castray {
-
-struct SceneImage {
-  std::vector<std::uint8_t> bytes;
-  image_header_t header;   // as in the bytes
-  frame_record_t frame;    // as in the bytes
-  std::size_t dropped_triangles = 0;  // degenerate on the grid: their numbers stay unused
-  std::size_t dropped_spheres = 0;    // of radius zero on the grid
-  std::vector<std::string> warnings;  // one line each
-
-  double step() const;  // scene units of one grid step
-  Grid grid() const;
-};
 
 // The finest grid on which scene and camera fit, the primitives, attributes and frame record.
 // Throws SceneError when a number is out of range, or the frame's size is not 1 to MaxFrameSize.

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "scene/replacement.hpp"
-#include "scene/scene.hpp"
+#include "scene/scene_error.hpp"
 
 namespace castray {
 

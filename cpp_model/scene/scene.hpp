@@ -7,23 +7,17 @@
 
 #include <array>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "castray_records.hpp"
+#include "scene/scene_error.hpp"
 
 namespace castray {
 
 using Vec2 = Imath::V2d;
 using Vec3 = Imath::V3d;  // not initialised by default, as all of Imath's vectors
 using Matrix = Imath::M44d;  // Imath's convention: row vectors, p' = p * M, translation in row 3
-
-// Everything that is wrong with an input: what() is one line, "file: place: cause".
-struct SceneError : std::runtime_error {
-  SceneError(const std::string& file, const std::string& place, const std::string& cause)
-      : std::runtime_error(file + ": " + place + ": " + cause) {}
-};
 
 enum class Material : std::uint8_t { Checker = MaterialChecker, ColourA = MaterialA, ColourB = MaterialB };
 

@@ -66,6 +66,11 @@ void SceneArguments::print_notes(const Scene& scene) const {
   for (const std::string& line : scene.defaults) std::fprintf(stderr, "%s: default: %s\n", one_line(file).c_str(), one_line(line).c_str());
 }
 
+void EngineArgument::add_to(CLI::App& command) {
+  command.add_option("--engine", name, "rtl: the simulated core; uio: that of this board; model: the bit-accurate model; float64, float32: references")
+      ->check(CLI::IsMember({"rtl", "uio", "model", "float64", "float32"}))->capture_default_str();
+}
+
 void CoreArguments::add_to(CLI::App& command) {
   command.add_option("--lanes", lanes, "lanes of the core")->check(CLI::Range(1, int{MaxLanes}))->capture_default_str();
   command.add_option("--contexts", contexts, "rays in flight in each lane")->check(CLI::Range(1, 1 << CtxW))->capture_default_str();

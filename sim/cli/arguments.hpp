@@ -32,6 +32,15 @@ struct SceneArguments {
   void print_notes(const Scene& scene) const;
 };
 
+// Who traces. The first three take jobs and write hit records.
+struct EngineArgument {
+  std::string name = "rtl";
+
+  void add_to(CLI::App& command);
+  bool is_device() const { return is_core() || name == "model"; }
+  bool is_core() const { return name == "rtl" || name == "uio"; }  // and not a program
+};
+
 struct CoreArguments {
   int lanes = DefaultLanes;
   int contexts = DefaultContexts;

@@ -3,10 +3,13 @@
 #pragma once
 #include <CLI/CLI.hpp>
 
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "frame_run.hpp"
+#include "uio/open_board.hpp"
 
 namespace castray::cli {
 
@@ -16,7 +19,7 @@ enum ExitCode : int {
   kMismatch = 1,     // something that must be equal is not
   kBadInput = 2,     // an option, a scene, a picture to compare
   kDeviceError = 3,  // the core ended the job with an error code
-  kHang = 4,         // the core did not come back, or is not of this build
+  kHang = 4,         // the core is not there, did not come back, or is not of this build
   kBusRules = 5,     // the core broke a rule of its bus
   kBadOutput = 6,    // a file could not be written
   kInternal = 7,     // anything else
@@ -27,11 +30,15 @@ struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// As sim::open_board: a program that takes it can be given a core that is not on a board.
+using OpenBoard = std::function<std::unique_ptr<sim::Device>(const sim::BoardOptions&)>;
+
 // What the commands are given, and what they leave.
 struct Context {
   std::string program;  // as it was called
   sim::RunRtl run_rtl;      // renders on the simulated core
   sim::QueryRtl query_rtl;  // answers lists on it
+  OpenBoard open_board;     // the core of this board
   int code = kOk;
 };
 
@@ -44,6 +51,7 @@ void add_compile(CLI::App& app, Context& context);
 void add_query(CLI::App& app, Context& context);
 
 // All of them; never throws.
-int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl = sim::run_rtl, const sim::QueryRtl& query_rtl = sim::query_rtl);
+int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl = sim::run_rtl, const sim::QueryRtl& query_rtl = sim::query_rtl,
+            const OpenBoard& open_board = sim::open_board);
 
 }  // namespace castray::cli

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kFooter =
     "Exit codes: 0 all is well, 1 something that must be equal is not, 2 bad input,\n"
-    "3 the core ended with an error code, 4 the core hangs or is not of this build,\n"
+    "3 the core ended with an error code, 4 the core hangs, is not there or is not of this build,\n"
     "5 the core broke a rule of its bus, 6 an output cannot be written, 7 internal error.";
 
 int complain(ExitCode code, const char* what) {
@@ -29,9 +29,9 @@ int flushed(int code) {
   return code == kOk ? complain(kBadOutput, "standard output cannot be written") : code;
 }
 
-int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim::QueryRtl& query_rtl) {
-  Context context{argc > 0 ? argv[0] : "castray", run_rtl, query_rtl};
-  CLI::App app("castray: a ray tracer in hardware, simulated", "castray");
+int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim::QueryRtl& query_rtl, const OpenBoard& open_board) {
+  Context context{argc > 0 ? argv[0] : "castray", run_rtl, query_rtl, open_board};
+  CLI::App app("castray: a ray tracer in hardware, simulated or on a board", "castray");
   const std::string version =
       std::to_string(VersionMajor) + "." + std::to_string(VersionMinor) + "." + std::to_string(VersionPatch);
   app.set_version_flag("--version", "castray " + version + " (" + kCommit + ")");
@@ -58,9 +58,9 @@ int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim
 
 }  // namespace
 
-int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim::QueryRtl& query_rtl) {
+int program(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim::QueryRtl& query_rtl, const OpenBoard& open_board) {
   try {
-    return run(argc, argv, run_rtl, query_rtl);
+    return run(argc, argv, run_rtl, query_rtl, open_board);
   } catch (const SceneError& e) {
     return complain(kBadInput, e.what());
   } catch (const InputError& e) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "arguments.hpp"
+#include "board_run.hpp"
 #include "castray_commit.hpp"
 #include "comparison.hpp"
 #include "mem/image.hpp"
@@ -32,7 +33,8 @@ struct Arguments {
   SceneArguments scene;
   CoreArguments core;
   std::string rays;
-  std::string engine = "rtl";
+  EngineArgument engine;
+  BoardArguments board;
   std::string output = kStandard;
   std::string json, trace;
   bool raw = false;
@@ -42,7 +44,6 @@ struct Arguments {
   Arguments() { core.mode = kRoot; }
   // A ray of a list has no tile.
   const char* mode() const { return core.render_mode() == sim::Mode::kBrute ? "brute" : kRoot; }
-  bool on_device() const { return engine == "rtl" || engine == "model"; }
   std::string name() const { return rays == kStandard ? "standard input" : rays; }
 };
 
@@ -52,17 +53,17 @@ class Query {
       : args_(arguments), context_(context), people_(args_.output == kStandard ? stderr : stdout), scene_(args_.scene.load()) {}
 
   ExitCode run() {
-    if (args_.check && args_.engine != "rtl") throw InputError("--check: only --engine rtl is compared with the model");
-    if (args_.raw && !args_.on_device()) throw InputError("--raw: only with --engine rtl or model");
-    if (!args_.trace.empty() && (args_.engine != "rtl" || !args_.only)) throw InputError("--trace: only with --engine rtl and --only, for one ray");
+    if (args_.check && !args_.engine.is_core()) throw InputError("--check: only --engine rtl or uio is compared with the model");
+    if (args_.raw && !args_.engine.is_device()) throw InputError("--raw: only with --engine rtl, uio or model");
+    if (!args_.trace.empty() && (args_.engine.name != "rtl" || !args_.only)) throw InputError("--trace: only with --engine rtl and --only, for one ray");
     std::vector<Input> inputs;
     if (args_.rays != kStandard) inputs.push_back({"the file of rays", args_.rays});
     check_outputs({{"--output", args_.output == kStandard ? "" : args_.output, sim::check_writable},
                    {"--json", args_.json, sim::check_writable}, {"--trace", args_.trace, sim::check_writable}}, scene_, inputs);
     read_rays();
-    report_ = {{"scene", std::filesystem::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", args_.mode()},
+    report_ = {{"scene", std::filesystem::path(args_.scene.file).stem().string()}, {"engine", args_.engine.name}, {"mode", args_.mode()},
                {"commit", kCommit}, {"rays", count_}};
-    const ExitCode code = args_.on_device() ? on_device() : on_reference();
+    const ExitCode code = args_.engine.is_device() ? on_device() : on_reference();
     if (!args_.json.empty()) write_json(args_.json, report_), wrote(args_.json);
     return code;
   }
@@ -116,7 +117,7 @@ class Query {
     make_records();
     print_notes();
     ExitCode code = kOk;
-    const sim::Answers answers = args_.engine == "rtl" ? on_rtl(code) : on_model();
+    const sim::Answers answers = args_.engine.name == "rtl" ? on_rtl(code) : args_.engine.name == "uio" ? on_board() : on_model();
     if (answers.error != ErrNone) {
       std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(answers.error), meaning(answers.error));
       report_["error"] = static_cast<int>(answers.error);
@@ -149,6 +150,19 @@ class Query {
     if (!args_.trace.empty()) wrote(args_.trace);
     if (run.violations > 0) code = kBusRules;
     return run.answers;
+  }
+
+  sim::Answers on_board() {
+    sim::Answers answers;
+    ProgressBar bar("tracing");
+    const BoardFacts facts = run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) { answers = driver.query(asked(), options(), progress(bar)); });
+    report_.update(report_of(answers.counters));
+    report_["device"] = facts.device;
+    report_["seconds"] = facts.seconds;
+    print_title(facts.device);
+    print_work(answers.counters, facts.seconds, people_);
+    print_counters(answers.counters, people_);
+    return answers;
   }
 
   sim::Answers on_model() {
@@ -197,7 +211,7 @@ class Query {
     {
       ProgressBar bar("tracing");
       const auto share = [&](double fraction) { bar.show(fraction, 0); };
-      hits = args_.engine == "float64" ? trace_list_float64(scene_, asked_rays(), 0, share) : trace_list_float32(scene_, asked_rays(), 0, share);
+      hits = args_.engine.name == "float64" ? trace_list_float64(scene_, asked_rays(), 0, share) : trace_list_float32(scene_, asked_rays(), 0, share);
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::vector<Answer> answers(hits.size());
@@ -205,7 +219,7 @@ class Query {
     const auto found = static_cast<std::size_t>(std::ranges::count_if(answers, &Answer::hit));
     report_["hits"] = found;
     report_["seconds"] = seconds;
-    print_title(args_.engine + " on this processor");
+    print_title(args_.engine.name + " on this processor");
     std::fprintf(people_, "  hits %s\n  %.2f s\n", grouped(found).c_str(), seconds);
     write(text_of(answers));
     return kOk;
@@ -239,9 +253,9 @@ void add_query(CLI::App& app, Context& context) {
   const auto args = std::make_shared<Arguments>();
   args->scene.add_to(*command);
   command->add_option("rays", args->rays, "lines of ox,oy,oz,dx,dy,dz, and if wanted tmin,tmax,any,cull,ignore, below a line with these names; -: standard input")->required();
-  command->add_option("--engine", args->engine, "rtl: the simulated core; model: its bit-accurate model; float64, float32: references")
-      ->check(CLI::IsMember({"rtl", "model", "float64", "float32"}))->capture_default_str();
+  args->engine.add_to(*command);
   args->core.add_to(*command);
+  args->board.add_to(*command);
   command->add_option("-o,--output", args->output, "the answers; -: standard output")->capture_default_str();
   command->add_option("--json", args->json, "a report");
   command->add_flag("--raw", args->raw, "rays are records of 64 bytes, on the grid of the scene's frame, and answers are hit records of 32");

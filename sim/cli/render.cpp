@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "arguments.hpp"
+#include "board_run.hpp"
 #include "castray_commit.hpp"
 #include "comparison.hpp"
 #include "frame_run.hpp"
@@ -27,7 +28,8 @@ using Json = nlohmann::ordered_json;
 struct Arguments {
   SceneArguments scene;
   CoreArguments core;
-  std::string engine = "rtl";
+  EngineArgument engine;
+  BoardArguments board;
   std::string output;
   std::string aov, json, frame, hits, save_scene;
   std::string nodes_map, tests_map;
@@ -36,7 +38,6 @@ struct Arguments {
   bool float64 = false;
   bool z_order = false;
 
-  bool on_device() const { return engine == "rtl" || engine == "model"; }
   bool work() const { return !nodes_map.empty() || !tests_map.empty(); }
 };
 
@@ -45,13 +46,13 @@ class Render {
   Render(const Arguments& arguments, const Context& context) : args_(arguments), context_(context), scene_(args_.scene.load()) {}
 
   ExitCode run() {
-    if (args_.check && args_.engine != "rtl") throw InputError("--check: only --engine rtl is compared with the model");
-    if (!args_.on_device() && (!args_.hits.empty() || !args_.frame.empty() || args_.float64 || args_.work()))
-      throw InputError("--hits, --frame, --nodes-map, --tests-map, --against-float64: only with --engine rtl or model");
+    if (args_.check && !args_.engine.is_core()) throw InputError("--check: only --engine rtl or uio is compared with the model");
+    if (!args_.engine.is_device() && (!args_.hits.empty() || !args_.frame.empty() || args_.float64 || args_.work()))
+      throw InputError("--hits, --frame, --nodes-map, --tests-map, --against-float64: only with --engine rtl, uio or model");
     if (!args_.trace_window.empty() && args_.trace.empty()) throw InputError("--trace-window: needs --trace FILE");
     if (!args_.trace.empty() && args_.trace_window.empty() && !args_.check)
       throw InputError("--trace: needs --trace-window, or --check, whose first pixel that differs is traced");
-    if (!args_.trace.empty() && args_.engine != "rtl") throw InputError("--trace: only --engine rtl has waveforms");
+    if (!args_.trace.empty() && args_.engine.name != "rtl") throw InputError("--trace: only --engine rtl has waveforms");
     if (output().extension().empty()) throw InputError("--output " + output().string() + ": the suffix says which format");
     check_outputs({{"--output", output(), sim::check_picture}, {"--aov", args_.aov, sim::check_aov},
                    {"--json", args_.json, sim::check_writable}, {"--frame", args_.frame, sim::check_writable},
@@ -64,10 +65,10 @@ class Render {
       sim::make_core(device.variant, 0, true);
     }
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
-    report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine}, {"mode", args_.core.mode},
+    report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine.name}, {"mode", args_.core.mode},
                {"commit", kCommit}, {"width", scene_.width}, {"height", scene_.height},
                {"pixels", static_cast<std::size_t>(scene_.width) * static_cast<std::size_t>(scene_.height)}};
-    const ExitCode code = args_.on_device() ? on_device() : on_reference();
+    const ExitCode code = args_.engine.is_device() ? on_device() : on_reference();
     if (!args_.json.empty()) write_json(args_.json, report_), wrote(args_.json);
     return code;
   }
@@ -79,14 +80,16 @@ class Render {
 
   sim::Metadata metadata() const {
     sim::Metadata metadata{{"castray:scene", fs::path(args_.scene.file).filename().string()},
-                           {"castray:engine", args_.engine}, {"castray:commit", kCommit}};
-    if (args_.engine == "rtl") {
+                           {"castray:engine", args_.engine.name}, {"castray:commit", kCommit}};
+    if (args_.engine.name == "rtl") {
       metadata.emplace_back("castray:seed", std::to_string(args_.core.seed));
       metadata.emplace_back("castray:cycles", std::to_string(report_["cycles"].get<std::uint64_t>()));
     }
     return metadata;
   }
 
+  // Without a use for the hit records a core is not asked for them: they cost it cycles.
+  bool wants_hits() const { return args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty() || args_.work(); }
   sim::RenderOptions options(bool hits, std::optional<sim::PixelWindow> window = {}) const {
     return {.hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
   }
@@ -101,7 +104,7 @@ class Render {
     args_.scene.print_notes(scene_);
     for (const std::string& line : image_.warnings) std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
     ExitCode code = kOk;
-    const sim::Rendering rendering = args_.engine == "rtl" ? on_rtl(code) : on_model();
+    const sim::Rendering rendering = args_.engine.name == "rtl" ? on_rtl(code) : args_.engine.name == "uio" ? on_board() : on_model();
     if (rendering.error != ErrNone) {
       std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error), meaning(rendering.error));
       report_["error"] = static_cast<int>(rendering.error);
@@ -136,16 +139,27 @@ class Render {
     sim::RtlOptions device = args_.core.options();
     device.trace_file = args_.trace_window.empty() ? "" : args_.trace;
     if (!args_.trace_window.empty()) set_window(device);
-    // Without a use for the hit records the core is not asked for them: they cost it cycles.
-    const bool hits = args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty() || args_.work();
     ProgressBar bar("rendering");
-    const sim::RtlRun run = context_.run_rtl(image_, device, options(hits), progress(bar));
+    const sim::RtlRun run = context_.run_rtl(image_, device, options(wants_hits()), progress(bar));
     report_.update(report_of(run, run.rendering.counters, device));
     std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, run.device.c_str());
     print_work(run.rendering.counters, run.seconds);
     print_run(run, run.rendering.counters);
     if (run.violations > 0) code = kBusRules;
     return run.rendering;
+  }
+
+  sim::Rendering on_board() {
+    sim::Rendering rendering;
+    ProgressBar bar("rendering");
+    const BoardFacts facts = run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) { rendering = driver.render(options(wants_hits()), progress(bar)); });
+    report_.update(report_of(rendering.counters));
+    report_["device"] = facts.device;
+    report_["seconds"] = facts.seconds;
+    std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, facts.device.c_str());
+    print_work(rendering.counters, facts.seconds);
+    print_counters(rendering.counters);
+    return rendering;
   }
 
   sim::Rendering on_model() {
@@ -218,14 +232,14 @@ class Render {
     {
       ProgressBar bar("rendering");
       const auto rows = [&](int done) { bar.show(static_cast<double>(done) / scene_.height, 0); };
-      frame = args_.engine == "float64" ? trace_float64(scene_, scene_.width, scene_.height, 0, rows)
+      frame = args_.engine.name == "float64" ? trace_float64(scene_, scene_.width, scene_.height, 0, rows)
                                         : trace_float32(scene_, scene_.width, scene_.height, 0, rows);
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report_["hits"] = frame.hits;
     report_["seconds"] = seconds;
     std::printf("%s, %dx%d: %s on this processor\n  hits %s\n  %.2f s\n", args_.scene.file.c_str(), scene_.width, scene_.height,
-                args_.engine.c_str(), grouped(frame.hits).c_str(), seconds);
+                args_.engine.name.c_str(), grouped(frame.hits).c_str(), seconds);
     sim::write_picture(output(), sim::picture_of(frame), metadata());
     wrote(output());
     if (!args_.aov.empty()) sim::write_aov(args_.aov, frame, metadata()), wrote(args_.aov);
@@ -251,9 +265,9 @@ void add_render(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("render", "render a scene to a picture");
   const auto args = std::make_shared<Arguments>();
   args->scene.add_to(*command);
-  command->add_option("--engine", args->engine, "rtl: the simulated core; model: its bit-accurate model; float64, float32: references")
-      ->check(CLI::IsMember({"rtl", "model", "float64", "float32"}))->capture_default_str();
+  args->engine.add_to(*command);
   args->core.add_to(*command);
+  args->board.add_to(*command);
   command->add_option("-o,--output", args->output, "the picture; its suffix says which format; else SCENE.png here");
   command->add_option("--aov", args->aov, "EXR of the hits: raw records, and distances, u, v, primitives for people");
   command->add_option("--json", args->json, "a report");

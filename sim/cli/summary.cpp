@@ -16,7 +16,7 @@ void print_work(const Counts& counters, double seconds, std::FILE* out) {
   std::fprintf(out, "  %.2f s\n", seconds);
 }
 
-void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out) {
+void print_counters(const Counts& counters, std::FILE* out) {
   const auto count = [&](std::int64_t index) { return grouped(counters[static_cast<std::size_t>(index)]); };
   const auto share = [&](std::int64_t hits, std::int64_t misses) {
     const auto of = [&](std::int64_t index) { return static_cast<double>(counters[static_cast<std::size_t>(index)]); };
@@ -36,6 +36,10 @@ void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out)
     std::fprintf(out, "  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%%s\n", share(CntNodeHits, CntNodeMisses),
                  share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses), tiles.c_str());
   std::fprintf(out, "  read beats %s, write beats %s%s\n", count(CntReadBeats).c_str(), count(CntWriteBeats).c_str(), attributes.c_str());
+}
+
+void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out) {
+  print_counters(counters, out);
   std::fprintf(out, "  simulated %.3f M cycles a second\n", run.per_second(counters[CntCycles]) / 1e6);
   bool stalled = false;
   for (const sim::StallShare& share : run.shares) stalled |= share.blocked > 0;

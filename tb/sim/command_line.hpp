@@ -53,18 +53,20 @@ class CommandLine : public FolderTest {
     return path(name);
   }
   // Runs the program in this process; its exit code.
-  static int execute(const std::string& arguments, const sim::RunRtl& run_rtl = sim::run_rtl, const sim::QueryRtl& query_rtl = sim::query_rtl) {
+  static int execute(const std::string& arguments, const sim::RunRtl& run_rtl = sim::run_rtl, const sim::QueryRtl& query_rtl = sim::query_rtl,
+                     const cli::OpenBoard& open_board = sim::open_board) {
     const std::vector<std::string> words = shell_words(kProgram + " " + arguments);
     std::vector<const char*> argv;
     for (const std::string& word : words) argv.push_back(word.c_str());
-    return cli::program(static_cast<int>(argv.size()), argv.data(), run_rtl, query_rtl);
+    return cli::program(static_cast<int>(argv.size()), argv.data(), run_rtl, query_rtl, open_board);
   }
   // The same, its two outputs caught in files.
-  static Outcome run(const std::string& arguments, const sim::RunRtl& run_rtl = sim::run_rtl, const sim::QueryRtl& query_rtl = sim::query_rtl) {
+  static Outcome run(const std::string& arguments, const sim::RunRtl& run_rtl = sim::run_rtl, const sim::QueryRtl& query_rtl = sim::query_rtl,
+                     const cli::OpenBoard& open_board = sim::open_board) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     Outcome outcome;
-    outcome.code = execute(arguments, run_rtl, query_rtl);
+    outcome.code = execute(arguments, run_rtl, query_rtl, open_board);
     outcome.out = testing::internal::GetCapturedStdout();
     outcome.err = testing::internal::GetCapturedStderr();
     return outcome;
