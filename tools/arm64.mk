@@ -19,6 +19,9 @@ $(BUILD)/arm64/castray_board: $(ARM64_OBJECTS)
 	@echo "  LINK  arm64/castray_board"
 	@$(ARM64_CXX) -static $^ -o $@ -lpthread
 
+# tb/cli/arm64.sh runs both.
+tests: $(BUILD)/castray_board $(BUILD)/arm64/castray_board
+
 .PHONY: arm64
 arm64: $(BUILD)/arm64/castray_board ## cross-compile the program for the board: build/arm64/castray_board
 -include $(ARM64_OBJECTS:.o=.d) $(BUILD)/obj/sim/castray_board.d

@@ -9,6 +9,7 @@
 
 #include "comparison.hpp"
 #include "frame_run.hpp"
+#include "scene/compile.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {

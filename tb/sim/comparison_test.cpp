@@ -5,6 +5,7 @@
 #include "comparison.hpp"
 #include "reference_check.hpp"
 #include "frame_run.hpp"
+#include "scene/compile.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {

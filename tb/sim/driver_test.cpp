@@ -7,6 +7,7 @@
 #include <map>
 
 #include "model_device.hpp"
+#include "scene/compile.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {

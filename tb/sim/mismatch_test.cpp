@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "command_line.hpp"
 #include "comparison.hpp"
+#include "scene/compile.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {

@@ -10,6 +10,7 @@
 #include "frame_run.hpp"
 #include "mem/hit_writer.hpp"
 #include "picture.hpp"
+#include "scene/compile.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {

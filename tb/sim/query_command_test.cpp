@@ -8,6 +8,7 @@
 #include "camera/ray_gen.hpp"
 #include "mem/ray_request.hpp"
 #include "query_command.hpp"
+#include "scene/compile.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {

@@ -5,6 +5,7 @@
 #include "camera_list.hpp"
 #include "frame_run.hpp"
 #include "model_device.hpp"
+#include "scene/compile.hpp"
 #include "scene/load.hpp"
 
 namespace castray::tb {
