@@ -158,13 +158,16 @@ bool BoardDevice::make_idle() {
   registers_->write(RegGie, 0);
   registers_->write(RegIer, 0);
   registers_->write(RegControl, 0);  // no auto restart
-  const Clock::time_point late = Clock::now() + silence_;
+  Clock::time_point moved = Clock::now();
+  std::uint64_t last = work();
   while (!(registers_->read(RegControl) & bit(CtrlIdle))) {
-    if (Clock::now() > late) {
-      stuck_ = true;
-      return false;
-    }
     registers_->pause();
+    if (const std::uint64_t now = work(); now != last) {
+      last = now;
+      moved = Clock::now();
+    }
+    stuck_ = Clock::now() - moved > silence_;
+    if (stuck_) return false;
   }
   // Ones toggle: what is set is cleared.
   if (const std::uint32_t raised = registers_->read(RegIsr)) registers_->write(RegIsr, raised);

@@ -42,7 +42,7 @@ class BoardDevice final : public Device {
   void check_windows();
   std::uint64_t offset_of(std::uint64_t address, std::uint64_t bytes) const;
   Irq wait_a_while();
-  // Turns interrupts off and waits for the end of what runs; false if there is none in time.
+  // Turns interrupts off and waits for the end of what runs; false if nothing moves any more before it.
   bool make_idle();
 
   std::unique_ptr<Registers> registers_;

@@ -28,7 +28,7 @@ class BoardDevice : public FolderTest {
     kernel_.emplace(folder_);
     core_ = std::make_shared<SimulatedCore>(*kernel_);
     options_ = kernel_->options();
-    options_.patience.silence = std::chrono::milliseconds(200);
+    options_.patience.silence = std::chrono::milliseconds(300);
   }
   std::unique_ptr<sim::Device> open() const { return open_simulated(core_, options_); }
 
@@ -188,7 +188,7 @@ TEST_F(BoardDevice, AJobThatNeverEndsIsGivenUp) {
     const auto device = open();
     sim::Driver driver(*device);
     driver.load(cube());
-    EXPECT_TRUE(says(refusal([&] { driver.render(); }), {"does not end", "200 ms", "idle again"}));
+    EXPECT_TRUE(says(refusal([&] { driver.render(); }), {"does not end", "300 ms", "idle again"}));
     expect_idle();
     core_->deaf = false;
     EXPECT_EQ(driver.render().error, ErrNone) << "it is usable again";
