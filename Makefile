@@ -26,3 +26,4 @@ include tools/python.mk
 include tools/arm64.mk
 include tools/targets.mk
 include tools/synth.mk
+include tools/netlist.mk

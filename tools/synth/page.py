@@ -23,8 +23,9 @@ def tables(records):
     lines += ["| the report, 3 lanes | " + " | ".join(f"{REPORT[r]}%" for r in CAPACITY) + " |"]
     lines += ["| ZU3EG | " + " | ".join(f"{n:,}" for n in CAPACITY.values()) + " |"]
     lines += [f"| {BAR:.0%} of it | " + " | ".join(f"{BAR * n:,g}" for n in CAPACITY.values()) + " |"]
-    lines += ["", "| unit, on its own | " + " | ".join(NAMES[r] for r in CAPACITY) + " |\n|---|" + "---|" * len(CAPACITY)]
-    lines += [f"| {r['name']} | " + " | ".join(f"{r[k]:,g}" for k in CAPACITY) + " |" for r in records if not r["lanes"]]
+    lines += ["", "| unit, with all below it | in three lanes | " + " | ".join(NAMES[r] for r in CAPACITY) + " |\n|---|---|" + "---|" * len(CAPACITY)]
+    lines += [f"| {r['name']} | {r['instances']} | " + " | ".join(f"{r[k]:,g}" for k in CAPACITY) + " |"
+              for r in records if not r["lanes"] and r["instances"]]
     return "\n".join(lines)
 
 

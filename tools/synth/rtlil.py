@@ -81,6 +81,14 @@ class Design:
         visit(name)
         return seen
 
+    def instances(self, top):
+        """How many there are of each module in an instance of one."""
+        times = collections.Counter({top: 1})
+        for name in reversed(self.below(top)):
+            for child, number in self.modules[name].children.items():
+                times[child] += times[name] * number
+        return times
+
     def total(self, name, counts):
         """Sum of counts[module], a Counter each, over an instance and all below it."""
         sums = {}

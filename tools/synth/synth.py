@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What castray takes of a ZU3EG: DSPs, block RAMs, LUTs, flip-flops of every unit and of the whole core.
 
-    synth.py                    all units, the core for 1, 2, 3, 4 and 8 lanes: build/synth.json, docs/area.md
-    synth.py UNIT...            some, for example isect/ray_prim: a table of their parts
+    synth.py                    the core for 1, 2, 3, 4 and 8 lanes, each unit in it: build/synth.json, docs/area.md
+    synth.py UNIT...            some on their own, for example isect/ray_prim: a table of their parts
     synth.py --check            units and the core of three lanes against tools/synth/budgets.json
     synth.py --record           write these budgets anew
 """
@@ -29,19 +29,22 @@ def record(name, lanes, counts):
     return {"name": name, "lanes": lanes, **{r: round(counts[r], 1) for r in yosys.RESOURCES}}
 
 
-def core(lanes, jobs):
-    """The record of the core as issue-level figures are measured: two ports, 128 KB second cache."""
-    design = yosys.elaborate([CORE], {"Lanes": lanes, "Ports": 2, "L2Kbytes": 128}, name=f"core{lanes}")
+def core(lanes, jobs, files=None):
+    """Records of the core of so many lanes, two ports, 128 KB of second cache, and of each unit in it, lanes 0."""
+    design = yosys.elaborate([CORE], {"Lanes": lanes, "Ports": 2, "L2Kbytes": 128}, files, f"core{lanes}")
     top = design.tops[CORE]
-    return record(CORE, lanes, design.total(top, yosys.synthesise(design, [top], jobs)))
+    counts = yosys.synthesise(design, [top], jobs)
+    instances = design.instances(top)
+    whole = {**record(CORE, lanes, design.total(top, counts)), "instances": 1}
+    return [whole] + [unit_record(name, design, instances, counts) for name in yosys.units() if name != CORE]
 
 
-def units(names, jobs, files=None):
-    """Records of units, each on its own with the parameters that it has by default. lanes is 0."""
-    tops = [name.split("/")[-1] for name in names]
-    design = yosys.elaborate(tops, files=files, name="units")
-    counts = yosys.synthesise(design, [design.tops[top] for top in tops], jobs)
-    return [record(name, 0, design.total(design.tops[top], counts)) for name, top in zip(names, tops)]
+def unit_record(name, design, instances, counts):
+    """A unit as it is in the core with all below it; of one with several widths the largest by LUTs."""
+    of_unit = {n: times for n, times in instances.items() if design.modules[n].unit == name.split("/")[-1]}
+    totals = [design.total(n, counts) for n in of_unit]
+    largest = max(totals, key=lambda t: (t["lut"], t["ff"]), default={r: 0 for r in yosys.RESOURCES})
+    return {**record(name, 0, largest), "instances": sum(of_unit.values())}
 
 
 def parts(names, jobs):
@@ -64,9 +67,7 @@ def parts(names, jobs):
 
 def measured(jobs, files=None):
     """What has a budget: {name: {resource: number}}."""
-    names = [u for u in yosys.units() if u != CORE]
-    records = units(names + [CORE], jobs, files)   # by default the core has three lanes, two ports, 128 KB
-    return {r["name"]: {key: r[key] for key in yosys.RESOURCES} for r in records}
+    return {r["name"]: {key: r[key] for key in yosys.RESOURCES} for r in core(CHECKED_LANES, jobs, files)}
 
 
 def check(jobs, files=None):
@@ -104,10 +105,11 @@ def main():
     elif args.record:
         BUDGETS.write_text("{\n" + ",\n".join(f'  "{n}": {json.dumps(c)}' for n, c in measured(args.jobs).items()) + "\n}\n")
     else:
-        records = units([u for u in yosys.units() if u != CORE], args.jobs)
+        found = {}
         for lanes in LANES:
-            records.append(core(lanes, args.jobs))
-            print("  synth: " + ", ".join(f"{k} {v}" for k, v in records[-1].items()), flush=True)
+            found[lanes] = core(lanes, args.jobs)
+            print("  synth: " + ", ".join(f"{k} {v}" for k, v in found[lanes][0].items()), flush=True)
+        records = [found[lanes][0] for lanes in LANES] + found[CHECKED_LANES][1:]
         pathlib.Path("build/synth.json").write_text(json.dumps(records, indent=1) + "\n")
         page.write(records)
 

