@@ -70,12 +70,10 @@ module ray_prim
   assign sx = in_ray_i.sx;
   assign sy = in_ray_i.sy;
 
-  corner_delta u_delta_a (.point_i(in_prim_i.a), .org_i(in_ray_i.org), .axis_i(in_ray_i.axis),
-                          .x_o(ax), .y_o(ay), .z_o(az));
-  corner_delta u_delta_b (.point_i(in_prim_i.b), .org_i(in_ray_i.org), .axis_i(in_ray_i.axis),
-                          .x_o(bx), .y_o(by), .z_o(bz));
-  corner_delta u_delta_c (.point_i(in_prim_i.c), .org_i(in_ray_i.org), .axis_i(in_ray_i.axis),
-                          .x_o(cx), .y_o(cy), .z_o(cz));
+  corner_delta #(.Points(3)) u_delta (
+    .point_i({in_prim_i.c, in_prim_i.b, in_prim_i.a}), .org_i(in_ray_i.org), .axis_i(in_ray_i.axis),
+    .x_o({cx, bx, ax}), .y_o({cy, by, ay}), .z_o({cz, bz, az})
+  );
 
   // A sphere's N = |S|^2 R, in units of two steps, is what B's shear makes of x = 2 R, z = R and
   // -sx = |S|^2 - 2, which lies in [-1, 1): norm2 without its top bit, the next one then its sign.

@@ -33,10 +33,10 @@ module tile_box
 
   // ---- s1 ----
   delta_t low_x, low_y, low_z, high_x, high_y, high_z;
-  corner_delta u_low (.point_i(box_i.low), .org_i(eye_i), .axis_i(bounds_i.axis),
-                      .x_o(low_x), .y_o(low_y), .z_o(low_z));
-  corner_delta u_high (.point_i(box_i.high), .org_i(eye_i), .axis_i(bounds_i.axis),
-                       .x_o(high_x), .y_o(high_y), .z_o(high_z));
+  corner_delta #(.Points(2)) u_delta (
+    .point_i(box_i), .org_i(eye_i), .axis_i(bounds_i.axis),   // {high, low}
+    .x_o({high_x, low_x}), .y_o({high_y, low_y}), .z_o({high_z, low_z})
+  );
 
   function automatic delta_t not_negative(delta_t t);
     return t[CoordW] ? '0 : t;
