@@ -67,7 +67,6 @@ rtl/traverse/tile_bounds.sv
 rtl/traverse/tile_box.sv
 rtl/traverse/tile_deal.sv
 rtl/traverse/tile_node.sv
-rtl/traverse/tile_nodes.sv
 rtl/traverse/tile_start.sv
 rtl/shade/background.sv
 rtl/shade/dot3.sv

@@ -11,6 +11,9 @@
 // is looked up. Of one set, there is one thing at a time: a fill waits while a lookup of the set
 // stands in cycle 1 or a chain of the set is served, and lookups of the set wait for the fill. So a
 // line stays until all who waited for it have it.
+// Kept lines lie beside the cache's in the data memory. The user writes them, and asks for them by
+// their indices, in turn with what the cache serves. Nothing is read in the cycle in which one is
+// written, and out must not be blocked then.
 // What comes out of out makes everything else move, so out must not wait for in or fill
 // (docs/memory.md).
 // One lookup a cycle. A hit takes 3 cycles from in to out; a line is offered 4 cycles after it came.
@@ -22,31 +25,43 @@ module line_cache
   parameter int unsigned Lines  = 512,
   parameter int unsigned Ways   = 2,
   parameter int unsigned Misses = 16,
-  parameter int unsigned Skip   = 0    // lowest bits of a number that all lines of this cache share
+  parameter int unsigned Skip   = 0,   // lowest bits of a number that all lines of this cache share
+  parameter int unsigned Kept   = 0,   // kept lines
+  parameter int unsigned ReadW  = $bits(line_data_t),   // the lowest bits of a line, which are read
+  localparam int unsigned KeptW = (Kept > 1) ? $clog2(Kept) : 1
 ) (
-  input  logic       clk_i,
-  input  logic       rst_ni,
+  input  logic             clk_i,
+  input  logic             rst_ni,
 
-  output logic       hit_o,            // for the counters: one of the two for each lookup
-  output logic       miss_o,           // also for a line that is waited for already
+  output logic             hit_o,      // for the counters: one of the two for each lookup
+  output logic             miss_o,     // also for a line that is waited for already
 
-  input  logic       in_valid_i,
-  output logic       in_ready_o,
-  input  id_t        in_id_i,
-  input  line_no_t   in_line_i,
+  input  logic             in_valid_i,
+  output logic             in_ready_o,
+  input  id_t              in_id_i,
+  input  line_no_t         in_line_i,
 
-  output logic       out_valid_o,
-  input  logic       out_ready_i,
-  output id_t        out_id_o,
-  output line_data_t out_data_o,
+  input  logic             keep_i,         // a kept line is written
+  input  logic [KeptW-1:0] keep_index_i,
+  input  logic [ReadW-1:0] keep_data_i,
+  input  logic             kept_valid_i,   // a kept line is asked for
+  output logic             kept_ready_o,
+  input  id_t              kept_id_i,
+  input  logic [KeptW-1:0] kept_index_i,
 
-  output logic       req_valid_o,
-  input  logic       req_ready_i,
-  output line_req_t  req_o,
+  output logic             out_valid_o,
+  input  logic             out_ready_i,
+  output id_t              out_id_o,
+  output logic             out_kept_o,
+  output logic [ReadW-1:0] out_data_o,
 
-  input  logic       fill_valid_i,     // under the numbers of the requests, in any order
-  output logic       fill_ready_o,
-  input  line_fill_t fill_i
+  output logic             req_valid_o,
+  input  logic             req_ready_i,
+  output line_req_t        req_o,
+
+  input  logic             fill_valid_i,   // under the numbers of the requests, in any order
+  output logic             fill_ready_o,
+  input  line_fill_t       fill_i
 );
   localparam int unsigned Sets = Lines / Ways;
   localparam int unsigned SetW = $clog2(Sets);
@@ -55,6 +70,10 @@ module line_cache
   typedef logic [SetW-1:0]      set_t;
   typedef logic [TagW-1:0]      tag_t;
   typedef logic [SetW+WayW-1:0] place_t;
+  localparam int unsigned PlaceW  = $bits(place_t);
+  localparam int unsigned DataIdxW = (Kept == 0) ? PlaceW : 1 + ((KeptW > PlaceW) ? KeptW : PlaceW);
+  typedef logic [DataIdxW-1:0]  data_place_t;   // kept lines in the upper half
+  localparam int unsigned Servers = (Kept == 0) ? 2 : 3;
   function automatic set_t set_of(line_no_t number);
     return number[Skip +: SetW];
   endfunction
@@ -69,7 +88,8 @@ module line_cache
   miss_t            new_miss;
   id_t              id_q;
   line_no_t         line_q, fill_line_q;
-  line_fill_t       fill_q;
+  miss_t            fill_miss_q;
+  logic [ReadW-1:0] fill_data_q;
 
   always_comb begin
     open = emptied && room;
@@ -109,7 +129,7 @@ module line_cache
     .look_i(look), .look_line_i(in_line_i),
     .add_i(miss_o), .add_id_i(id_q), .add_line_i(line_q), .new_o(is_new), .new_miss_o(new_miss),
     .find_i(fill_i.miss), .find_line_o(fill_line),
-    .end_i(fill), .end_miss_i(fill_q.miss), .end_head_o(head),
+    .end_i(fill), .end_miss_i(fill_miss_q), .end_head_o(head),
     .id_i(wake_id), .next_o(wake_next)
   );
   stream_fifo #(.data_t(line_req_t), .Depth(Misses)) u_req (
@@ -133,66 +153,90 @@ module line_cache
   );
   always_ff @(posedge clk_i) begin
     if (fill_load) begin
-      fill_q      <= fill_i;
+      fill_miss_q <= fill_i.miss;
+      fill_data_q <= fill_i.data[ReadW-1:0];
       fill_line_q <= fill_line;
     end
   end
 
   // ---- Serve ----
   typedef struct packed {
-    id_t    id;
-    place_t place;
+    id_t         id;
+    data_place_t place;
   } serve_t;
-  serve_t     serve [2];
-  serve_t     next;
-  logic [1:0] serve_valid, serve_ready;
-  logic       next_valid, next_ready;
-  place_t     wake_place;
+  serve_t             serve [Servers];
+  serve_t             next;
+  logic [Servers-1:0] serve_valid, serve_ready;
+  logic               wake_valid, next_valid, next_ready;
+  place_t             wake_place;
   line_wake #(.id_t(id_t), .SetW(SetW), .WayW(WayW)) u_wake (
     .clk_i, .rst_ni,
     .push_i(fill), .ready_o(wake_room), .head_i(head), .place_i(fill_place),
     .set_i(set_of(fill_line_q)), .busy_o(wake_busy),
-    .out_valid_o(serve_valid[0]), .out_ready_i(serve_ready[0]), .out_id_o(wake_id),
+    .out_valid_o(wake_valid), .out_ready_i(serve_ready[0]), .out_id_o(wake_id),
     .out_place_o(wake_place), .next_i(wake_next)
   );
-  assign serve[0]       = '{id: wake_id, place: wake_place};
+  function automatic data_place_t kept_place(logic [KeptW-1:0] index);
+    return data_place_t'(index) | (data_place_t'(1) << (DataIdxW - 1));
+  endfunction
   always_comb begin
-    serve[1] = '0;
-    if (looked) serve[1] = '{id: id_q, place: {set_of(line_q), found_way}};
+    serve[Servers-1] = '{id: kept_id_i, place: kept_place(kept_index_i)};
+    serve[0]         = '{id: wake_id, place: data_place_t'(wake_place)};
+    serve[1]         = '{id: id_q, place: data_place_t'({set_of(line_q), found_way})};
   end
-  assign serve_valid[1] = looked && found;
+  assign serve_valid    = Servers'({kept_valid_i, looked && found, wake_valid});
+  assign kept_ready_o   = Kept != 0 && serve_ready[Servers-1];
   assign leaves         = !found || serve_ready[1];
   assign hit_o          = looked && found && serve_ready[1];
   assign miss_o         = looked && !found;
-  stream_arb #(.data_t(serve_t), .N(2)) u_serve (
+  stream_arb #(.data_t(serve_t), .N(Servers)) u_serve (
     .clk_i, .rst_ni, .valid_i(serve_valid), .ready_o(serve_ready), .data_i(serve),
     .valid_o(next_valid), .ready_i(next_ready), .data_o(next), .index_o()
   );
 
   // ---- Data ----
-  (* ram_style = "block" *) line_data_t data_q [Lines];
-  line_data_t read_q, out_q;
-  id_t        read_id_q, out_id_q;
-  logic [1:0] load;
+  // Two ports: fills are written at the one, kept lines are written and all lines are read at the other.
+  (* ram_style = "block" *) logic [ReadW-1:0] data_q [1 << DataIdxW];
+  logic [ReadW-1:0] read_q, out_q;
+  id_t              read_id_q, out_id_q;
+  logic             keep, read_kept_q, out_kept_q, chain_ready;
+  logic [1:0]       load;
+  data_place_t      at;
+  assign keep       = keep_i && Kept != 0;
+  assign at         = keep ? kept_place(keep_index_i) : next.place;
+  assign next_ready = chain_ready && !keep;
   pipe_chain #(.Stages(2)) u_data (
-    .clk_i, .rst_ni, .valid_i(next_valid), .ready_o(next_ready),
+    .clk_i, .rst_ni, .valid_i(next_valid && !keep), .ready_o(chain_ready),
     .valid_o(out_valid_o), .ready_i(out_ready_i), .load_o(load)
   );
-  always_ff @(posedge clk_i) begin
-    if (fill) data_q[fill_place] <= fill_q.data;
-    if (load[0]) read_q <= data_q[next.place];
+  always @(posedge clk_i) begin
+    if (fill) data_q[data_place_t'(fill_place)] <= fill_data_q;
+  end
+  always @(posedge clk_i) begin
+    if (load[0] || keep) begin
+      if (keep) data_q[at] <= keep_data_i;
+      read_q <= data_q[at];
+    end
   end
   always_ff @(posedge clk_i) begin
-    if (load[0]) read_id_q <= next.id;
+    if (load[0]) begin
+      read_id_q   <= next.id;
+      read_kept_q <= Kept != 0 && next.place[DataIdxW-1];
+    end
     if (load[1]) begin
-      out_q    <= read_q;
-      out_id_q <= read_id_q;
+      out_q      <= read_q;
+      out_id_q   <= read_id_q;
+      out_kept_q <= read_kept_q;
     end
   end
   assign out_id_o   = out_id_q;
+  assign out_kept_o = out_kept_q;
   assign out_data_o = out_q;
 
 `ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && keep) assert (!out_valid_o || out_ready_i) else $error("a kept line is written while out is blocked");
+  end
   stream_check #(.data_t(id_t)) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .data_i(out_id_o)
   );

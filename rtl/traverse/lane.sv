@@ -175,7 +175,9 @@ module lane
   line_fetch #(.Contexts(Contexts), .Lines(LeafLines), .Fault(ErrLeaf)) u_leaves (
     .clk_i(tree_clk), .rst_ni, .base_i(tree_i.leaf_base), .count_i(tree_i.leaf_count),
     .visit_valid_i(to_leaf), .visit_ctx_i(next_ctx), .visit_ref_i(target),
-    .out_valid_o(line_valid), .out_ready_i(line_ready), .out_ctx_o(line_ctx), .out_index_o(), .out_data_o(line),
+    .keep_i(1'b0), .keep_index_i('0), .keep_data_i('0),
+    .out_valid_o(line_valid), .out_ready_i(line_ready), .out_ctx_o(line_ctx), .out_kept_o(), .out_index_o(),
+    .out_data_o(line),
     .fault_o(leaf_fault),
     .req_valid_o(leaf_req_valid_o), .req_ready_i(leaf_req_ready_i), .req_o(leaf_req_o),
     .fill_valid_i(leaf_fill_valid_i), .fill_ready_o(leaf_fill_ready_o), .fill_i(leaf_fill_i),

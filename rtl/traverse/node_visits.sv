@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // From a reference to the children that a ray visits: a node of the image through the cache, or one of
-// a tile's frontier from the chip, then the test of its boxes. Tiles' nodes go first.
+// a tile's frontier, which is kept beside the cache's lines, then the test of its boxes.
 //
-//   visit -+-> line_fetch -+-> node_pipe -> out
-//          +-> tile_nodes -+
+//   visit --> line_fetch --> node_pipe --> out
 //
 // One node a cycle; nothing waits for what comes out. A node whose index is behind the section, one
 // that is illegal, and one with a child that is a node and not behind it raise fault_o (ErrNode), and
@@ -53,29 +52,23 @@ module node_visits
   output logic             wait_o
 );
   // ---- Where the node is ----
-  logic [1:0] in_tile;
-  logic       line_valid, tile_valid;
-  ctx_t       line_ctx, tile_ctx;
-  line_data_t line;
-  line_t      index;       // of the line's node
-  node_t      tile_node;
-  error_t     fetch_fault;
-  assign in_tile = {visit_ref_i[1].kind == RefTile, visit_ref_i[0].kind == RefTile};
+  node_t node;
+  localparam int unsigned NodeW = $bits(node_t) - $bits(node.reserved);
+  typedef logic [NodeW-1:0] stored_t;
+  logic    node_valid, in_tile;
+  ctx_t    node_ctx;
+  line_t   index;
+  stored_t stored;
+  error_t  fetch_fault;
 
-  line_fetch #(.Contexts(Contexts), .Lines(Lines), .Fault(ErrNode)) u_fetch (
+  line_fetch #(.Contexts(Contexts), .Lines(Lines), .Fault(ErrNode), .Kept(TileNodes), .ReadW(NodeW)) u_fetch (
     .clk_i, .rst_ni, .base_i, .count_i,
-    .visit_valid_i(visit_valid_i & ~in_tile), .visit_ctx_i, .visit_ref_i,
-    .out_valid_o(line_valid), .out_ready_i(!tile_valid), .out_ctx_o(line_ctx), .out_index_o(index), .out_data_o(line),
-    .fault_o(fetch_fault),
+    .visit_valid_i, .visit_ctx_i, .visit_ref_i,
+    .keep_i(tile_write_i), .keep_index_i(tile_index_i), .keep_data_i(stored_t'(tile_node_i)),
+    .out_valid_o(node_valid), .out_ready_i(1'b1), .out_ctx_o(node_ctx), .out_kept_o(in_tile), .out_index_o(index),
+    .out_data_o(stored), .fault_o(fetch_fault),
     .req_valid_o, .req_ready_i, .req_o, .fill_valid_i, .fill_ready_o, .fill_i,
     .hit_o, .miss_o, .wait_o
-  );
-
-  tile_nodes #(.Contexts(Contexts), .Nodes(TileNodes)) u_tiles (
-    .clk_i, .rst_ni,
-    .write_i(tile_write_i), .write_index_i(tile_index_i), .node_i(tile_node_i),
-    .visit_valid_i(visit_valid_i & in_tile), .visit_ctx_i, .visit_ref_i,
-    .out_valid_o(tile_valid), .out_ready_i(1'b1), .out_ctx_o(tile_ctx), .out_o(tile_node)
   );
 
   // ---- Children lie behind their parent ----
@@ -85,23 +78,15 @@ module node_visits
     return child.kind != RefNode || child.index > parent;
   endfunction
 
-  node_t node;
-  logic  ordered;
-  always_comb begin   // nothing moves here while there is no node
-    node    = '0;
-    ordered = 1'b1;
-    if (tile_valid) node = tile_node;
-    else if (line_valid) begin
-      node    = node_t'(line);
-      ordered = in_order(node.ref0, index) && in_order(node.ref1, index)
-                && in_order(node.ref2, index) && in_order(node.ref3, index);
-    end
-  end
+  logic ordered;
+  assign node    = node_t'(stored);
+  assign ordered = in_tile || (in_order(node.ref0, index) && in_order(node.ref1, index)
+                               && in_order(node.ref2, index) && in_order(node.ref3, index));
 
   // ---- Boxes ----
   logic pipe_valid, illegal;
-  assign ray_ctx_o = tile_valid ? tile_ctx : line_ctx;
-  assign node_o    = (tile_valid || line_valid) && ordered;
+  assign ray_ctx_o = node_ctx;
+  assign node_o    = node_valid && ordered;
 
   node_pipe u_node_pipe (
     .clk_i, .rst_ni,
@@ -109,5 +94,5 @@ module node_visits
     .out_valid_o(pipe_valid), .out_ctx_o, .out_o, .error_o(illegal)
   );
   assign out_valid_o = pipe_valid && !illegal;
-  assign fault_o     = (fetch_fault != ErrNone || (line_valid && !ordered) || (pipe_valid && illegal)) ? ErrNode : ErrNone;
+  assign fault_o     = (fetch_fault != ErrNone || (node_valid && !ordered) || (pipe_valid && illegal)) ? ErrNode : ErrNone;
 endmodule
