@@ -201,9 +201,9 @@ module line_cache
   id_t              read_id_q, out_id_q;
   logic             keep, read_kept_q, out_kept_q, chain_ready;
   logic [1:0]       load;
-  data_place_t      at;
+  data_place_t      place;
   assign keep       = keep_i && Kept != 0;
-  assign at         = keep ? kept_place(keep_index_i) : next.place;
+  assign place      = keep ? kept_place(keep_index_i) : next.place;
   assign next_ready = chain_ready && !keep;
   pipe_chain #(.Stages(2)) u_data (
     .clk_i, .rst_ni, .valid_i(next_valid && !keep), .ready_o(chain_ready),
@@ -214,8 +214,8 @@ module line_cache
   end
   always @(posedge clk_i) begin
     if (load[0] || keep) begin
-      if (keep) data_q[at] <= keep_data_i;
-      read_q <= data_q[at];
+      if (keep) data_q[place] <= keep_data_i;
+      read_q <= data_q[place];
     end
   end
   always_ff @(posedge clk_i) begin

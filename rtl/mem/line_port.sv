@@ -3,7 +3,7 @@
 // order of their requests (one AXI ID) and are given under the numbers of those.
 // Each beat has its place before it is asked for: at most Lines lines may be asked for and not
 // given, which is for the user to keep.
-// A request is passed on in its own cycle; a line is offered in the cycle of its last beat.
+// A request is passed on in its own cycle; a line is offered the cycle after its last beat.
 module line_port
   import castray_pkg::*, castray_image_pkg::*;
 #(
@@ -60,10 +60,10 @@ module line_port
     always_ff @(posedge clk_i) begin
       if (rsp_valid_i && beat_q == 2'(b)) mem_q[tail_q] <= rsp_i.data;
     end
-    assign beats[b] = (b == 3 && whole_q == '0) ? rsp_i.data : mem_q[head_q];
+    assign beats[b] = mem_q[head_q];
   end
 
-  assign out_valid_o = whole || whole_q != '0;
+  assign out_valid_o = whole_q != '0;
   assign out_o       = '{miss: miss, data: beats};
   assign give        = out_valid_o && out_ready_i;
   always_ff @(posedge clk_i) begin

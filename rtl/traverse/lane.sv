@@ -204,10 +204,7 @@ module lane
   assign brute_test = test_valid_i && test_step_i && {1'b0, test_ctx_i} < used_o && look_valid
                       && test_prim_i.number != look_ignore;
   assign test       = hierarchy_i ? leaf_test && test_ready_o : brute_test;
-  always_comb begin   // nothing moves here while there is no test
-    tested = '0;
-    if (test) tested = hierarchy_i ? leaf_prim : test_prim_i;
-  end
+  assign tested     = hierarchy_i ? leaf_prim : test_prim_i;
 
   prim_tests #(.Contexts(Contexts)) u_tests (
     .clk_i, .rst_ni,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Deals rays out to the lanes in turn, ray k of a batch to lane k mod Lanes, so that the first lane
-// never has fewer than another (restart_i: a batch has ended).
+// never has fewer than another (restart_i: a batch ends with the rays that came).
 // Only the handshake passes here, combinational, one ray a cycle.
 // Model: cpp_model/core.cpp, where the order of rays does not matter.
 module ray_dispatch

@@ -54,7 +54,6 @@ module step
   localparam int unsigned IdxW       = (Contexts > 1) ? $clog2(Contexts) : 1;
   localparam int unsigned QueueDepth = (Contexts > 1) ? Contexts : 2;
   localparam ref_t   Nowhere   = '{kind: RefNone, index: '0};
-  localparam entry_t NoEntry   = '{least: '0, target: Nowhere};
 
   // ---- Who waits for a decision: leaves, and contexts whose frame was dropped ----
   logic again, again_valid, again_ready, leaf_valid, leaf_ready;
@@ -99,11 +98,12 @@ module step
   always_ff @(posedge clk_i) begin
     if (s0_valid) begin
       s1_q     <= s0;
-      visits_q <= '{default: NoEntry};
-      if (node_valid_i) visits_q <= node_i;
-      else if (s0.fresh) begin
-        visits_q.e0.target <= start_i.first;
-        visits_q.e1.target <= start_i.second;
+      visits_q <= node_i;
+      if (!node_valid_i) begin   // what is not visited has no target; the rest of it is not read
+        visits_q.e0.target      <= s0.fresh ? start_i.first : Nowhere;
+        visits_q.e1             <= '{least: '0, target: s0.fresh ? start_i.second : Nowhere};
+        visits_q.e2.target.kind <= RefNone;
+        visits_q.e3.target.kind <= RefNone;
       end
     end
   end
@@ -139,7 +139,7 @@ module step
     .look_i(s0_valid), .look_ctx_i(IdxW'(s0.ctx)), .look_new_i(s0.fresh),
     .top_o(top), .empty_o(empty), .full_o(full),
     .push_i(leave && !full), .replace_i(back && !last), .drop_i(again || (back && last)),
-    .frame_i(leave ? {visits_q.e3, visits_q.e2, visits_q.e1} : {NoEntry, top.e2, top.e1})
+    .frame_i({visits_q.e3, leave ? {visits_q.e2, visits_q.e1} : {top.e2, top.e1}})   // without children there is no e3
   );
 
   assign count_o = nodes_q[IdxW'(count_ctx_i)];

@@ -4,7 +4,7 @@
 //
 //   hierarchy    in -> the queue of the lane that its tile was dealt to, or whose turn it is with a
 //                list -> lane[Lanes] -> arb -> out
-//   brute force  in -> ray_dispatch -> lane[Lanes] -> arb -> out
+//   brute force  in -> ray_dispatch -> the lanes' queues -> lane[Lanes] -> arb -> out
 //                prim_reader -> brute_walk -^ (all lanes)
 //
 // Hits leave in another order than their rays came; pixels that meet nothing (miss_*) join them.
@@ -78,8 +78,8 @@ module traversal
   output logic                fetch_stall_o
 );
   // ---- Brute force: rays to lanes in turn, primitives past the lanes ----
-  logic             fill, emit, dealt_ready, brute_idle;
-  logic [Lanes-1:0] dealt_valid, ray_valid, ray_ready, lane_empty, full, quiet, test_ready;
+  logic             fill, emit, dealt_ready, brute_idle, none_queued;
+  logic [Lanes-1:0] dealt_valid, queue_ready, ray_valid, ray_ready, lane_empty, full, quiet, test_ready;
   logic [CtxW:0]    used [Lanes];
   logic             reader_start, reader_done, slot_valid, slot_ready, test_valid;
   prim_slot_t       slot, test_prim;
@@ -87,9 +87,9 @@ module traversal
   error_t           reader_fault;
 
   ray_dispatch #(.Lanes(Lanes)) u_ray_dispatch (
-    .clk_i, .rst_ni, .restart_i(emit),
+    .clk_i, .rst_ni, .restart_i((exhausted_i || starved_i) && none_queued),
     .in_valid_i(in_valid_i && brute_i), .in_ready_o(dealt_ready),
-    .out_valid_o(dealt_valid), .out_ready_i(ray_ready)
+    .out_valid_o(dealt_valid), .out_ready_i(queue_ready)
   );
 
   prim_reader u_prim_reader (
@@ -102,7 +102,7 @@ module traversal
 
   brute_walk #(.Lanes(Lanes)) u_brute_walk (
     .clk_i, .rst_ni,
-    .exhausted_i, .starved_i(brute_i && starved_i),
+    .exhausted_i(exhausted_i && none_queued), .starved_i(brute_i && starved_i && none_queued),
     .used_i(used[0]), .full_i(full & {Lanes{brute_i}}), .quiet_i(quiet),
     .empty_i(lane_empty | {Lanes{!brute_i}}),
     .fill_o(fill), .emit_o(emit),
@@ -122,8 +122,7 @@ module traversal
   } dealt_t;
   logic             tree_clk;
   dealt_t           dealt_q [1 << SlotW];
-  logic [Lanes-1:0] queue_ready, to_lane, queue_valid;
-  ray_t             queued [Lanes];
+  logic [Lanes-1:0] to_lane;
   lane_no_t         in_lane, turn;
 
   clock_gate #(.Gated(GateClocks)) u_tree_clock (.clk_i, .awake_i(!brute_i || !rst_ni), .clk_o(tree_clk));
@@ -166,19 +165,14 @@ module traversal
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
     logic [SlotW-1:0] tile_slot;
     ray_t             ray;
-    assign to_lane[i]   = in_lane == lane_no_t'(i);
-    always_comb begin   // nothing moves here while there is no ray
-      ray = '0;
-      if (ray_valid[i]) ray = brute_i ? in_i : queued[i];
-    end
-    assign tile_slot    = queued[i].tag.slot[SlotW-1:0];
-    assign ray_valid[i] = brute_i ? dealt_valid[i] : queue_valid[i];
-    assign left_o[i]    = !brute_i && ray_valid[i] && ray_ready[i];
+    assign to_lane[i] = in_lane == lane_no_t'(i);
+    assign tile_slot  = ray.tag.slot[SlotW-1:0];
+    assign left_o[i]  = !brute_i && ray_valid[i] && ray_ready[i];
 
     stream_fifo #(.data_t(ray_t), .Depth(ray_queue(TileLog2))) u_queue (
-      .clk_i(tree_clk), .rst_ni, .used_o(),
-      .valid_i(in_valid_i && !brute_i && to_lane[i]), .ready_o(queue_ready[i]), .data_i(in_i),
-      .valid_o(queue_valid[i]), .ready_i(left_o[i]), .data_o(queued[i])
+      .clk_i, .rst_ni, .used_o(),
+      .valid_i(brute_i ? dealt_valid[i] : in_valid_i && to_lane[i]), .ready_o(queue_ready[i]), .data_i(in_i),
+      .valid_o(ray_valid[i]), .ready_i(ray_ready[i]), .data_o(ray)
     );
     lane #(.Contexts(Contexts), .TileNodes(TileNodes), .GateClocks(GateClocks)) u_lane (
       .clk_i, .rst_ni, .hierarchy_i(!brute_i), .tree_i,
@@ -204,7 +198,8 @@ module traversal
   end
   assign ray_o  = ray_valid & ray_ready;
   assign hit_o  = found & hit_valid & hit_ready;
-  assign idle_o = brute_i ? brute_idle : (exhausted_i && &lane_empty && queue_valid == '0);
+  assign none_queued = ray_valid == '0;
+  assign idle_o      = brute_i ? brute_idle : (exhausted_i && &lane_empty && none_queued);
 
   // ---- Out ----
   always_comb begin

@@ -349,13 +349,13 @@ TEST(LineMemoryUnit, AHitTakesThreeCycles) {
   EXPECT_EQ(memory.given_at - memory.asked_at, 3);
 }
 
-TEST(LineMemoryUnit, AMissTakesSixCyclesBesidesTheMemorys) {
+TEST(LineMemoryUnit, AMissTakesSevenCyclesBesidesTheMemorys) {
   LineMemory memory(kTwo);
   memory.latency = {60, 60};
   memory.wanted[2] = {7};
   memory.run();
   EXPECT_EQ(memory.ports[1].last_beat - memory.asked_at, 2 + 60 + 3) << "until the last beat";
-  EXPECT_EQ(memory.given_at - memory.ports[1].last_beat, 4) << "until the line is given";
+  EXPECT_EQ(memory.given_at - memory.ports[1].last_beat, 5) << "until the line is given";
 }
 
 }  // namespace
