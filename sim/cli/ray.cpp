@@ -40,7 +40,7 @@ std::vector<hit_record_t> record_at(const sim::Rendering& rendering, const pixel
 
 // A triangle's result overtakes that of a sphere, whose root takes longer.
 std::vector<result_t> triangles_first(std::vector<result_t> results) {
-  std::ranges::stable_partition(results, [](const result_t& result) { return result.kind == KindTriangle; });
+  std::stable_partition(results.begin(), results.end(), [](const result_t& result) { return result.kind == KindTriangle; });
   return results;
 }
 
