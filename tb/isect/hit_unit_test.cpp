@@ -143,9 +143,10 @@ TEST(HitUnit, TakesOneEveryCycle) {
     triangles.push_back(any_triangle(rng));
     spheres.push_back(sphere(rng.in(0, 9999), static_cast<std::uint64_t>(rng.in(0, 99999)), rng.in(-9999, 9999), straight()));
   }
-  EXPECT_EQ(run({triangles[0]}).cycles, 25) << "one alone";
-  EXPECT_EQ(run({spheres[0]}).cycles, 40);
-  EXPECT_EQ(run(triangles).cycles, 1000 + 24);
+  const long alone = 3 + (BaryFrac + 3) / 2 + 1 + 7 + 1, root = (CoordW + 2) / 2 + 1;
+  EXPECT_EQ(run({triangles[0]}).cycles, alone);
+  EXPECT_EQ(run({spheres[0]}).cycles, alone + root);
+  EXPECT_EQ(run(triangles).cycles, 999 + alone);
   // As many cycles as there are spheres are lost when the roots of those inside come.
   EXPECT_LE(run(spheres).cycles, 2 * 1000 + 60);
 }
