@@ -42,7 +42,7 @@ module hit_sphere
   localparam int unsigned Lost   = (MagW > NumW) ? MagW - NumW : 0;  // bits that a magnitude may lose
   localparam int unsigned ShiftW = $clog2(Lost + 2);
   localparam int unsigned NormW  = $bits(norm2_t);
-  localparam int unsigned RootW  = CoordW + 2;
+  localparam int unsigned RootW  = CoordW + 2 + CoordW % 2;   // root_seq makes an even number
   localparam int unsigned Gain   = HitDivW - 2 - BaryFrac;
 
   // ---- The root, and what waits for it: written as a sphere enters, at the place of that cycle ----
@@ -63,7 +63,7 @@ module hit_sphere
   logic [RootW-1:0]   root;
 
   root_pipe #(.RadW(2 * RootW)) u_root (
-    .clk_i, .rst_ni, .in_valid_i(valid_i), .in_rad_i({disc_i, 5'b0}), .out_valid_o(root_valid), .out_root_o(root)
+    .clk_i, .rst_ni, .in_valid_i(valid_i), .in_rad_i((2*RootW)'({disc_i, 5'b0})), .out_valid_o(root_valid), .out_root_o(root)
   );
   assign kept   = kept_q[place_q - place_t'(RootCycles)];
   assign soon_o = root_valid;

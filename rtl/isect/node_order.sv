@@ -40,7 +40,8 @@ module node_order
   function automatic z_t plane(delta_t dz, logic neg);
     logic signed [CoordW+1:0] sum;
     sum = (CoordW+2)'(dz) + (neg ? (CoordW+2)'(BoxMargin + (1 << Unit)) : -(CoordW+2)'(BoxMargin));
-    return z_t'(sum >>> Unit);
+    sum = sum >>> Unit;
+    return z_t'(sum);
   endfunction
 
   function automatic z_t ticks(tick_t tick, plane_exp_t ez);

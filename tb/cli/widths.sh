@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 narrow="CoordW=22 ShearFrac=20 BaryFrac=15 TFrac=2 HitDivW=19 ShearDivW=24 SubPlane=5"
-coarse="CoordW=25 ShearFrac=16 BaryFrac=12 TFrac=3 HitDivW=26 ShearDivW=28 SubPlane=4"   # large errors beside large boxes
+coarse="CoordW=25 ShearFrac=16 BaryFrac=12 TFrac=3 HitDivW=26 ShearDivW=28 SubPlane=4"   # large errors beside large boxes; odd
 
 at() { # folder under build/width, goals in it: made there
   local folder=build/width/$1
@@ -39,8 +39,10 @@ refuse SubPlane 7 "2 to 6"
 widths narrow $narrow
 at narrow build/width/narrow/lint/castray_core.ok
 passes narrow traverse/lane isect/ray_prim isect/hit_unit isect/node_pipe camera/slab_setup isect/box_margin isect/node_culls
+widths narrowest $narrow CoordW=20
+at narrowest build/width/narrowest/lint/isect/node_order.ok
 widths coarse $coarse
-passes coarse isect/box_margin isect/node_culls scene/random_hierarchy
+passes coarse isect/hit_unit isect/box_margin isect/node_culls scene/random_hierarchy
 
 if [[ ${1:-} == --core ]]; then
   passes narrow traverse/lane_tree scene/random_hierarchy
