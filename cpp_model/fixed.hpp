@@ -20,6 +20,10 @@ namespace castray {
 using int128 = __int128;
 using uint128 = unsigned __int128;
 
+// The integer for `bits` bits, the sign's among them: 64 of them where they are enough, as they are for the widths that
+// the RTL may have. tools/width/ studies wider ones.
+template <int Bits> using int_of = std::conditional_t<(Bits <= 64), std::int64_t, int128>;
+
 // True if x fits a signed number of `bits` bits.
 constexpr bool fits_signed(int128 x, int bits) {
   return x >= -(int128{1} << (bits - 1)) && x < (int128{1} << (bits - 1));
@@ -43,6 +47,7 @@ constexpr int128 round_shift(int128 x, int bits) {
 
 // Position of the highest one of x, -1 for zero.
 constexpr int msb(std::uint64_t x) { return 63 - std::countl_zero(x); }
+constexpr int msb(uint128 x) { return x >> 64 ? 64 + msb(static_cast<std::uint64_t>(x >> 64)) : msb(static_cast<std::uint64_t>(x)); }
 
 // ---- Records and bits ----
 

@@ -115,7 +115,9 @@ class Packages:
                 bits, signed, _ = self.width(match[1])
                 self.types[match[2]] = (bits, signed, None)
                 cpp = "std::int64_t" if signed else "std::uint64_t"
-                if bits > 64:
+                if 64 < bits < 128:   # a number of the width study; beats and lines of memory are larger
+                    cpp = "__int128" if signed else "unsigned __int128"
+                elif bits > 64:
                     cpp = f"std::array<std::uint32_t, {(bits + 31) // 32}>"
                 self.out.append(f"using {match[2]} = {cpp};")
                 self.out.append(f"inline constexpr int {match[2]}_bits = {bits};")

@@ -42,8 +42,9 @@ inline ray_t ray_setup(const ray_req_t& req) {
   ray.org = req.org;
   ray.sx = valid ? shear_quotient(n0, dom) : 0;
   ray.sy = valid ? shear_quotient(n1, dom) : 0;
-  const std::int64_t one = std::int64_t{1} << (2 * ShearFrac);
-  ray.norm2 = static_cast<norm2_t>(round_shift(one + ray.sx * ray.sx + ray.sy * ray.sy, 2 * ShearFrac - NormFrac));
+  using square_t = int_of<2 * ShearFrac + 3>;
+  const square_t sx = ray.sx, sy = ray.sy, one = square_t{1} << (2 * ShearFrac);
+  ray.norm2 = static_cast<norm2_t>(round_shift(one + sx * sx + sy * sy, 2 * ShearFrac - NormFrac));
   ray.neg = dom < 0;
   ray.valid = valid && req.ok;
   ray.cull = req.cull;

@@ -6,15 +6,17 @@
 
 namespace castray {
 
+using edge_t = int_of<2 * CoordW + 4>;
+
 struct edge_fns_t {
-  std::int64_t u = 0, v = 0, w = 0;      // exact, units of four square steps
+  edge_t u = 0, v = 0, w = 0;                // exact, units of four square steps
   bool u_neg = 0, v_neg = 0, w_neg = 0;  // their signs, those of zeros decided by the perturbation
   bool point = 0;                        // the three sheared corners coincide
 };
 
 // Moving the ray by (e, e^2) adds e (Cy - By) + e^2 (Bx - Cx) to U: where U is zero its sign is
 // that of rank(C) - rank(B), with rank ordering corners by y, then by descending x.
-inline std::int64_t rank(const sheared2_t& p) { return (p.y << (CoordW + 2)) - p.x; }
+inline edge_t rank(const sheared2_t& p) { return (edge_t{p.y} << (CoordW + 2)) - p.x; }
 
 // True if the ray is surely outside: all three corners lie on one side of a line through it.
 // Such a triangle is never accepted; most of a scene is dropped here.
@@ -23,12 +25,13 @@ inline bool all_on_one_side(sheared_t a, sheared_t b, sheared_t c) {
 }
 
 inline edge_fns_t edge_fns(const sheared2_t& a, const sheared2_t& b, const sheared2_t& c) {
-  const std::int64_t ra = rank(a), rb = rank(b), rc = rank(c);
+  const edge_t ra = rank(a), rb = rank(b), rc = rank(c);
   const bool u_up = rc > rb, v_up = ra > rc, w_up = rb > ra;
   edge_fns_t e;
-  e.u = c.x * b.y - c.y * b.x;
-  e.v = a.x * c.y - a.y * c.x;
-  e.w = b.x * a.y - b.y * a.x;
+  const auto area = [](const sheared2_t& p, const sheared2_t& q) { return edge_t{p.x} * q.y - edge_t{p.y} * q.x; };
+  e.u = area(c, b);
+  e.v = area(a, c);
+  e.w = area(b, a);
   e.u_neg = e.u - !u_up < 0;
   e.v_neg = e.v - !v_up < 0;
   e.w_neg = e.w - !w_up < 0;

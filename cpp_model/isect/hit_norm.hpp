@@ -12,12 +12,12 @@ struct quotient_job_t {
 };
 
 // x shifted so that bit `top` comes to HitDivW - 1: exact to the left, truncated to the right.
-constexpr std::uint64_t norm_shift(std::uint64_t x, int top) {
-  return top >= HitDivW - 1 ? x >> (top - (HitDivW - 1)) : x << (HitDivW - 1 - top);
+constexpr std::uint64_t norm_shift(det_t x, int top) {
+  return static_cast<std::uint64_t>(top >= HitDivW - 1 ? x >> (top - (HitDivW - 1)) : x << (HitDivW - 1 - top));
 }
 
 inline quotient_job_t hit_norm(const cand_t& cand) {
-  const int top = msb(cand.det | 1);
+  const int top = msb(det_t{cand.det | 1});
   quotient_job_t job;
   job.num0 = norm_shift(cand.u, top);
   job.num1 = norm_shift(cand.v, top);

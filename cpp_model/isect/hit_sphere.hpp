@@ -20,7 +20,7 @@ inline small_t small_of(std::int64_t x) {
 }
 
 inline quotient_job_t hit_sphere(const cand_t& cand, const hit_ray_t& ray) {
-  const std::int64_t root = static_cast<std::int64_t>(isqrt(cand.det << 5));
+  const std::int64_t root = static_cast<std::int64_t>(isqrt(static_cast<int_of<det_t_bits + 6>>(cand.det) << 5));
   const std::int64_t b = ray.neg ? -cand.az : cand.az;
   const int half = ray.norm2 >> (NormFrac + 1) ? 0 : 1;  // norm2 below two
   const int gain = HitDivW - 2 - BaryFrac;                // of the quotient of aligned operands
@@ -32,7 +32,7 @@ inline quotient_job_t hit_sphere(const cand_t& cand, const hit_ray_t& ray) {
   quotient_job_t job;
   job.num0 = near.value;
   job.num1 = far.value;
-  job.den = ray.norm2 << half << HitDivW >> (NormFrac + 2);
+  job.den = static_cast<std::uint64_t>(static_cast<uint128>(ray.norm2) << half << HitDivW >> (NormFrac + 2));
   job.scale0 = scale(b - root, near.shift);
   job.scale1 = scale(b + root, far.shift);
   return job;

@@ -14,8 +14,8 @@ inline bool hit_unit(const cand_t& cand, const hit_ray_t& ray, result_t& out) {
   const quotient_job_t job = sphere ? hit_sphere(cand, ray) : hit_norm(cand);
   const std::uint64_t q0 = div_nearest(job.num0, job.den, BaryFrac);
   const std::uint64_t q1 = div_nearest(job.num1, job.den, BaryFrac);
-  const std::int64_t part0 = static_cast<std::int64_t>(q0) * job.scale0;
-  const std::int64_t part1 = static_cast<std::int64_t>(q1) * job.scale1;
+  const along_t part0 = static_cast<along_t>(q0) * job.scale0;
+  const along_t part1 = static_cast<along_t>(q1) * job.scale1;
 
   out.ctx = cand.ctx;
   out.number = cand.number;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mirrors rtl/isect/ray_prim.sv: one ray against one primitive, exactly.
 #pragma once
-#include <cstdlib>
-
 #include "isect/accept.hpp"
 #include "isect/sphere_disc.hpp"
 
@@ -23,9 +21,10 @@ inline bool ray_prim(const test_ray_t& ray, const prim_slot_t& prim, ctx_t ctx, 
     if (all_on_one_side(sa.y, sb.y, sc.y)) return false;
     const edge_fns_t e = edge_fns(sa, sb, sc);
     if (!accept(e, ray.neg, ray.cull)) return false;
-    out.u = static_cast<std::uint64_t>(std::llabs(e.u));
-    out.v = static_cast<std::uint64_t>(std::llabs(e.v));
-    out.det = static_cast<std::uint64_t>(std::llabs(e.u + e.v + e.w));
+    const auto magnitude = [](edge_t x) { return static_cast<det_t>(x < 0 ? -x : x); };
+    out.u = magnitude(e.u);
+    out.v = magnitude(e.v);
+    out.det = magnitude(e.u + e.v + e.w);
     out.az = a.z;
     out.bz = b.z;
     out.cz = c.z;
@@ -36,7 +35,7 @@ inline bool ray_prim(const test_ray_t& ray, const prim_slot_t& prim, ctx_t ctx, 
     const sphere_disc_t s = sphere_disc(shear(c, ray), radius, ray);
     if (!s.meets) return false;
     out.u = out.v = 0;
-    out.det = static_cast<std::uint64_t>(s.disc);
+    out.det = static_cast<det_t>(s.disc);
     out.az = s.towards;
     out.bz = 0;
     out.cz = c.z;

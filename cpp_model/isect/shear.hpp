@@ -12,7 +12,8 @@ struct sheared2_t {
 
 // (x - s z) / 2 to the nearest integer, halves upwards.
 inline sheared_t shear(std::int64_t x, std::int64_t z, shear_t s) {
-  return round_shift((x << ShearFrac) - s * z, ShearFrac + 1);
+  using product_t = int_of<CoordW + ShearFrac + 3>;
+  return static_cast<sheared_t>(round_shift((product_t{x} << ShearFrac) - product_t{s} * z, ShearFrac + 1));
 }
 inline sheared2_t shear(const delta3_t& d, const test_ray_t& ray) {
   return {shear(d.x, d.z, ray.sx), shear(d.y, d.z, ray.sy)};

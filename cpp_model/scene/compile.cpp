@@ -40,11 +40,12 @@ point_t grid_point(const Grid& grid, const Vec3& p) {
   return point;
 }
 
-// No area on the grid, exactly: differences have at most 27 bits, products 54.
+// No area on the grid, exactly.
 bool degenerate(const prim_slot_t& slot) {
-  const auto d = [](std::uint64_t a, std::uint64_t b) { return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b); };
-  const std::int64_t ux = d(slot.b.x, slot.a.x), uy = d(slot.b.y, slot.a.y), uz = d(slot.b.z, slot.a.z);
-  const std::int64_t vx = d(slot.c.x, slot.a.x), vy = d(slot.c.y, slot.a.y), vz = d(slot.c.z, slot.a.z);
+  using product_t = int_of<2 * CoordW + 2>;
+  const auto d = [](std::uint64_t a, std::uint64_t b) { return static_cast<product_t>(static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b)); };
+  const product_t ux = d(slot.b.x, slot.a.x), uy = d(slot.b.y, slot.a.y), uz = d(slot.b.z, slot.a.z);
+  const product_t vx = d(slot.c.x, slot.a.x), vy = d(slot.c.y, slot.a.y), vz = d(slot.c.z, slot.a.z);
   return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
 }
 
@@ -63,6 +64,19 @@ class Compiler {
 
   // Of a frame from the scene's camera, or of none: then for rays from the origins given.
   SceneImage image(std::optional<FrameSize> frame, std::span<const ListRay> rays) {
+    place(frame, rays);
+    std::vector<Box> boxes(slots_.size());
+    std::ranges::transform(slots_, boxes.begin(), padded_box);
+    lay_out(build_bvh(boxes));
+    return std::move(image_);
+  }
+  ImageRecords records(FrameSize frame) {
+    place(frame, {});
+    return {grid_, std::move(slots_), std::move(attributes_), image_.frame};
+  }
+
+ private:
+  void place(std::optional<FrameSize> frame, std::span<const ListRay> rays) {
     if (scene_.primitives() == 0) throw SceneError(scene_.file, "scene", "it holds no triangle and no sphere");
     if (scene_.primitives() > kNoNumber)
       throw SceneError(scene_.file, "scene", std::to_string(scene_.primitives()) + " primitives, at most " + std::to_string(kNoNumber) + " are possible");
@@ -76,13 +90,8 @@ class Compiler {
     if (slots_.empty())
       throw SceneError(scene_.file, "scene", "nothing is left on a grid of 2^" + std::to_string(grid_.power) + ": scene and " +
                        (frame ? "camera" : "the origins of rays") + " lie too far apart");
-    std::vector<Box> boxes(slots_.size());
-    std::ranges::transform(slots_, boxes.begin(), padded_box);
-    lay_out(build_bvh(boxes));
-    return std::move(image_);
   }
 
- private:
   Vec3 eye() const {
     const Vec3 eye = scene_.camera.eye();
     for (int i = 0; i < 3; ++i)
@@ -188,6 +197,7 @@ Grid SceneImage::grid() const {
 }
 double SceneImage::step() const { return grid().step(); }
 
+ImageRecords image_records(const Scene& scene, int width, int height) { return Compiler(scene).records({width, height}); }
 SceneImage compile(const Scene& scene, int width, int height) { return Compiler(scene).image(FrameSize{width, height}, {}); }
 SceneImage compile(const Scene& scene, std::span<const ListRay> rays) { return Compiler(scene).image({}, rays); }
 

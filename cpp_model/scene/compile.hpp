@@ -14,6 +14,15 @@
 
 namespace castray {
 
+// The records of an image before they are laid out in bytes.
+struct ImageRecords {
+  Grid grid;
+  std::vector<prim_slot_t> slots;
+  std::vector<attr_t> attributes;   // by number
+  frame_record_t frame;
+};
+ImageRecords image_records(const Scene& scene, int width, int height);
+
 // The finest grid on which scene and camera fit, the primitives, attributes and frame record.
 // Throws SceneError when a number is out of range, or the frame's size is not 1 to MaxFrameSize.
 SceneImage compile(const Scene& scene, int width, int height);

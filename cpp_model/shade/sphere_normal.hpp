@@ -9,7 +9,9 @@ namespace castray {
 
 inline span3_t sphere_normal(const hit_t& hit, const point_t& centre, const point_t& eye) {
   const std::int64_t z = saturate_signed(round_shift(hit.neg ? -hit.t : hit.t, TFrac), CoordW + 1);
-  const delta3_t along = unpermute({round_shift(hit.sx * z, ShearFrac), round_shift(hit.sy * z, ShearFrac), z}, hit.axis);
+  using product_t = int_of<CoordW + ShearFrac + 3>;
+  const auto at = [&](shear_t s) { return static_cast<std::int64_t>(round_shift(product_t{s} * z, ShearFrac)); };
+  const delta3_t along = unpermute({at(hit.sx), at(hit.sy), z}, hit.axis);
   span3_t out;
   out.x = along.x + static_cast<std::int64_t>(eye.x) - static_cast<std::int64_t>(centre.x);
   out.y = along.y + static_cast<std::int64_t>(eye.y) - static_cast<std::int64_t>(centre.y);

@@ -42,7 +42,7 @@ module hit_sphere
   localparam int unsigned Lost   = (MagW > NumW) ? MagW - NumW : 0;  // bits that a magnitude may lose
   localparam int unsigned ShiftW = $clog2(Lost + 2);
   localparam int unsigned NormW  = $bits(norm2_t);
-  localparam int unsigned RootW  = CoordW + 2 + CoordW % 2;   // root_seq makes an even number
+  localparam int unsigned RootW  = CoordW + 2 + CoordW % 2;   // root_pipe makes an even number
   localparam int unsigned Gain   = HitDivW - 2 - BaryFrac;
 
   // ---- The root, and what waits for it: written as a sphere enters, at the place of that cycle ----

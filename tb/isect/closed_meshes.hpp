@@ -40,7 +40,8 @@ struct Mesh {
 };
 
 inline constexpr std::int64_t kMiddle = kHalf;
-inline constexpr int kNarrower = 26 - CoordW;  // meshes shrink with the grid
+// A length of the grid of 26 bits, on this one: meshes shrink and grow with it.
+inline std::int64_t on_grid(double steps) { return static_cast<std::int64_t>(std::ldexp(steps, int{CoordW} - 26)); }
 inline Grid3 snap(const double* p) {
   Grid3 g;
   for (int i = 0; i < 3; ++i) g[i] = kMiddle + kParts * std::llround(p[i] / kParts);
@@ -48,7 +49,7 @@ inline Grid3 snap(const double* p) {
 }
 
 // An icosahedron, each face split into 64, bumps of a fifth of its radius: 1,280 triangles.
-inline Mesh bumpy_sphere(double radius = 2.1e7 / (1 << kNarrower)) {
+inline Mesh bumpy_sphere(double radius = std::ldexp(2.1e7, int{CoordW} - 26)) {
   using V = std::array<double, 3>;
   const double g = (1 + std::sqrt(5.0)) / 2;
   const V corners[12] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
@@ -57,7 +58,7 @@ inline Mesh bumpy_sphere(double radius = 2.1e7 / (1 << kNarrower)) {
                           {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
                           {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
   const int n = 8;
-  Mesh mesh{"bumpy sphere", {}, (1 << 20) >> kNarrower};
+  Mesh mesh{"bumpy sphere", {}, on_grid(1 << 20)};
   for (const auto& face : ico) {
     const auto at = [&](int i, int j) {
       // Weights in a fixed order of the corners, so that neighbours agree in every bit.
@@ -82,7 +83,7 @@ inline Mesh bumpy_sphere(double radius = 2.1e7 / (1 << kNarrower)) {
 }
 
 // A cube, each face a lattice of 12 x 12 squares, two triangles each: 1,728.
-inline Mesh lattice_cube(std::int64_t square = kParts * (150000 >> kNarrower)) {
+inline Mesh lattice_cube(std::int64_t square = kParts * on_grid(150000)) {
   const int n = 12;
   Mesh mesh{"lattice cube", {}, 6 * square};
   for (int axis = 0; axis < 3; ++axis)
@@ -129,6 +130,7 @@ inline bool star_shaped_from(const Mesh& mesh, const Grid3& org) {
 // A ray from inside the mesh through a corner, or an exact point of an edge.
 struct AimedRay {
   test_ray_t ray;
+  dir_t dir;   // that the ray's shear is divided from
   bool corner = false;
 };
 inline AimedRay aim(const Mesh& mesh, Rng& rng) {
@@ -147,6 +149,7 @@ inline AimedRay aim(const Mesh& mesh, Rng& rng) {
   camera.eye = to_point(org);
   const ray_t r = ray_setup(dir, camera, {});
   AimedRay a;
+  a.dir = dir;
   a.corner = part == 0;
   a.ray.org = r.org;
   a.ray.sx = r.sx, a.ray.sy = r.sy, a.ray.norm2 = r.norm2;

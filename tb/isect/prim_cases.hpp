@@ -8,9 +8,9 @@
 
 namespace castray::tb {
 
-inline constexpr std::int64_t kGrid = (1 << CoordW) - 64;  // positions are below this
-inline constexpr std::int64_t kHalf = 1 << (CoordW - 1);   // the middle; radii are below this
-inline constexpr std::int64_t kOne = 1 << ShearFrac;
+inline constexpr std::int64_t kGrid = (std::int64_t{1} << CoordW) - 64;  // positions are below this
+inline constexpr std::int64_t kHalf = std::int64_t{1} << (CoordW - 1);   // the middle; radii are below this
+inline constexpr std::int64_t kOne = std::int64_t{1} << ShearFrac;
 
 inline std::uint64_t norm2_of(std::int64_t sx, std::int64_t sy) {
   return static_cast<std::uint64_t>(round_shift(kOne * kOne + sx * sx + sy * sy, 2 * ShearFrac - NormFrac));
