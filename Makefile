@@ -27,3 +27,4 @@ include tools/arm64.mk
 include tools/targets.mk
 include tools/synth.mk
 include tools/netlist.mk
+include tools/width.mk

@@ -22,6 +22,9 @@ with_waves     = $(filter $(CORES_CHECKED) %w,$(1))
 # Parameters of a variant by its name: l3c32t3p2m128 -> -GLanes=3 -GContexts=32 -GTileLog2=3 -GPorts=2 -GL2Kbytes=128
 core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts= -GL2Kbytes=,$(wordlist 1,5,$(subst l,,$(subst m, ,$(subst p, ,$(subst t, ,$(subst c, ,$(1:%w=%))))))))
 
+# How a core is compiled that is to run long; tools/width/ builds some that run a few small frames.
+CORE_OPT ?= -O3 -march=native
+
 # The waveform writer first and with -O1: it is two thirds of the code and seldom runs. OPT_FAST,
 # because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
 $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
@@ -30,7 +33,7 @@ $(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
 	@echo "  VERILATE castray_core $*"
 	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) $(if $(call with_waves,$*),--trace-fst,-GGateClocks=1\'b1) --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
-	@cd $(@D) && for step in $(if $(call with_waves,$*),"$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1") "Vcastray_core__ALL.a=-O3 -march=native"; do \
+	@cd $(@D) && for step in $(if $(call with_waves,$*),"$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1") "Vcastray_core__ALL.a=$(CORE_OPT)"; do \
 	  MAKEFLAGS= make -f Vcastray_core.mk -j$(JOBS) $${step%%=*} CXX=$(CXX) USER_CPPFLAGS="-fPIC -fvisibility=hidden" \
 	    OPT_FAST="$${step#*=}" OPT_SLOW="-O0" OPT_GLOBAL="-O1"; \
 	  done | python3 $(CURDIR)/tools/steps.py --compiled "$$(ls *.cpp | wc -l)" "castray_core $*"

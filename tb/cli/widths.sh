@@ -22,7 +22,7 @@ passes() { # folder, units: their tests pass; cycles are counted at the usual wi
   done
 }
 # Of the library what makes images of scenes.
-library=("LIB_SOURCES=$(echo cpp_model/{core,loaded,ray_list}.cpp cpp_model/scene/{binary_tree,bvh,camera,collapse,compile,frame,grid}.cpp)")
+library=("LIB_SOURCES=$(echo cpp_model/{core,loaded,ray_list}.cpp cpp_model/scene/{binary_tree,bvh,camera,collapse,compile,frame,grid,scene_image}.cpp)")
 
 # What is not possible: a sentence, and no result.
 refuse() { # name, value, words of the sentence
