@@ -11,7 +11,6 @@ import points  # noqa: E402
 PAGE = pathlib.Path("docs/width-study.md")
 PLOT = pathlib.Path("docs/pictures/width_study.png")
 VIEWS = ("teapot", "teapot_tight", "teapot_interior", "spheres")
-RTL_HEAD = "| | DSP | LUT | FF |\n|---|---|---|---|"
 AXES = {"together": "total bits, 16 of them integer", "coordinates": "bits of a position", "shear": "bits of Sx, Sy",
         "hit divider": "bits of u, v", "shear divider": "bits of the shear divider's operands"}
 
@@ -63,8 +62,11 @@ def rtl_tables(rtl):
                   "", "| unit, synthesised flat | DSP | from its operands | LUT | FF |", "|---|---|---|---|---|"]
         lines += [f"| {unit} | {c['dsp']} | {points.dsps(w).get(unit, 0)} | {c['lut']:,} | {c['ff']:,} |" for unit, c in entry["units"].items()]
         total = {k: sum(c[k] for c in entry["units"].values()) for k in ("dsp", "lut", "ff")}
-        lines += [f"| together | {total['dsp']} | | {total['lut']:,} | {total['ff']:,} |", "",
-                  "| frame on a core of one lane, equal to the model's in every pixel and raw hit | cycles |", "|---|---|"]
+        lines += [f"| together | {total['dsp']} | | {total['lut']:,} | {total['ff']:,} |", ""]
+        if "frames" not in entry:
+            lines += ["Frames of it were not rendered in this run.", ""]
+            continue
+        lines += ["| frame on a core of one lane, equal to the model's in every pixel and raw hit | cycles |", "|---|---|"]
         lines += [f"| {scene}, {mode}, {size} | {cycles:,} |" for scene, mode, size, cycles in entry["frames"]] + [""]
     return lines
 
