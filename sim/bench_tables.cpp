@@ -71,8 +71,8 @@ std::string tiles(const std::vector<Json>& records) {
       "\n## Tiles and their walk\nThe teapot's base view at 80x60, three lanes.\n\n"
       "| tile | walk | cycles | attributes fetched | read beats | write beats | differ |\n|---|---|---|---|---|---|---|\n";
   for (const Json& r : only(records, "tiles"))
-    out += format("| %dx%d | %s | %.4f M | %lu | %lu | %lu | %s |\n", r["tile"].get<int>(), r["tile"].get<int>(), text(r, "walk").c_str(), mega(r),
-                  r["attr_misses"].get<unsigned long>(), r["read_beats"].get<unsigned long>(),
+    out += format("| %dx%d | %s | %.4f M | %lu | %lu | %lu | %s |\n", r["tile"].get<int>(), r["tile"].get<int>(),
+                  text(r, "walk").c_str(), mega(r), r["attr_misses"].get<unsigned long>(), r["read_beats"].get<unsigned long>(),
                   r["write_beats"].get<unsigned long>(), differ(r).c_str());
   return out +
          "\nBy brute force the tile hardly matters, for every ray meets every primitive: cycles differ by the last, part-filled batch and by\n"
@@ -86,7 +86,8 @@ std::string transforms(const std::vector<Json>& records) {
       "| view | cycles | against base | differ |\n|---|---|---|---|\n";
   const std::vector<Json> runs = only(records, "transforms");
   for (const Json& r : runs)
-    out += format("| %s | %.4f M | %+.4f%% | %s |\n", text(r, "view").c_str(), mega(r), 100 * (mega(r) / mega(runs[0]) - 1), differ(r).c_str());
+    out += format("| %s | %.4f M | %+.4f%% | %s |\n", text(r, "view").c_str(), mega(r), 100 * (mega(r) / mega(runs[0]) - 1),
+                  differ(r).c_str());
   return out;
 }
 
@@ -109,9 +110,9 @@ std::string reference(const std::vector<Json>& records) {
       "| scene | view | frame | see another primitive | another cell of the checker | of the rest: more than 1 of 255 away | farthest |\n"
       "|---|---|---|---|---|---|---|\n";
   for (const Json& r : only(records, "reference"))
-    out += format("| %s | %s | %s | %lu | %lu | %lu | %d |\n", text(r, "scene").c_str(), text(r, "view").c_str(), size_of(r).c_str(),
-                  r["other_primitive"].get<unsigned long>(), r["other_cell"].get<unsigned long>(), r["far_colour"].get<unsigned long>(),
-                  r["worst_colour"].get<int>());
+    out += format("| %s | %s | %s | %lu | %lu | %lu | %d |\n", text(r, "scene").c_str(), text(r, "view").c_str(),
+                  size_of(r).c_str(), r["other_primitive"].get<unsigned long>(), r["other_cell"].get<unsigned long>(),
+                  r["far_colour"].get<unsigned long>(), r["worst_colour"].get<int>());
   return out;
 }
 
@@ -122,13 +123,16 @@ const Json* find(const std::vector<Json>& records, const Keep& keep) {
 std::string percent(const Json& share) { return share.is_null() ? "-" : format("%.1f%%", 100 * share.get<double>()); }
 
 std::string tree_row(const Json& r) {
-  return format("| %s | %s | %s | %s | %d | %d | %d | %s |", text(r, "scene").c_str(), text(r, "view").c_str(), size_of(r).c_str(), text(r, "mode").c_str(),
-                r["lanes"].get<int>(), r["ports"].get<int>(), r["l2_kbytes"].get<int>(), text(r, "memory").c_str());
+  return format("| %s | %s | %s | %s | %d | %d | %d | %s |", text(r, "scene").c_str(), text(r, "view").c_str(),
+                size_of(r).c_str(), text(r, "mode").c_str(), r["lanes"].get<int>(), r["ports"].get<int>(),
+                r["l2_kbytes"].get<int>(), text(r, "memory").c_str());
 }
 
 // What a frame may take, where there is a bar: three lanes, two ports, 128 KB, `reference`.
 std::uint64_t bar_of(const Json& r) {
-  if (r["part"] != "tree" || r["lanes"] != 3 || r["ports"] != 2 || r["l2_kbytes"] != 128 || r["memory"] != "reference" || r["width"] != 320) return 0;
+  if (r["part"] != "tree" || r["lanes"] != 3 || r["ports"] != 2 || r["l2_kbytes"] != 128 || r["memory"] != "reference" ||
+      r["width"] != 320)
+    return 0;
   const std::string name = text(r, "scene") + " " + text(r, "view") + " " + text(r, "mode");
   return name == "teapot base bvh"       ? 100'000
          : name == "teapot tight bvh"    ? 180'000
@@ -150,7 +154,8 @@ std::string tree(const std::vector<Json>& records) {
   for (const Json& r : rows) {
     const std::uint64_t bar = bar_of(r);
     const bool reports = r["scene"] == "teapot" && r["view"] == "base" && r["width"] == 320;
-    const Json* embree = find(records, [&](const Json& e) { return e["part"] == "embree" && e["scene"] == r["scene"] && e["view"] == r["view"]; });
+    const Json* embree =
+        find(records, [&](const Json& e) { return e["part"] == "embree" && e["scene"] == r["scene"] && e["view"] == r["view"]; });
     std::string single = "-", packets = "-";
     if (embree && r["width"] == 320) {
       double best = 0;
@@ -160,8 +165,9 @@ std::string tree(const std::vector<Json>& records) {
     }
     out += tree_row(r) + format(" %lu | %s | %s | %.3f | %.1f M/s | %s | %s | %s |\n", r["cycles"].get<unsigned long>(),
                                 bar ? format("%lu", static_cast<unsigned long>(bar)).c_str() : "-",
-                                reports ? format("%.0f", kReportCycles / r["cycles"].get<double>()).c_str() : "-", r["rays_per_cycle"].get<double>(),
-                                100 * r["rays_per_cycle"].get<double>(), single.c_str(), packets.c_str(), differ(r).c_str());
+                                reports ? format("%.0f", kReportCycles / r["cycles"].get<double>()).c_str() : "-",
+                                r["rays_per_cycle"].get<double>(), 100 * r["rays_per_cycle"].get<double>(), single.c_str(),
+                                packets.c_str(), differ(r).c_str());
   }
   out +=
       "\nThe work and the load, of the same frames. A ray is a pixel, those of empty tiles too. Shares of the cycles in which a unit is used, at its\n"
@@ -171,15 +177,18 @@ std::string tree(const std::vector<Json>& records) {
       "divider | tile start | shading | read ports | write port | node cache | leaf cache | tile cache | L2 | attributes |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Json& r : rows) {
-    out += tree_row(r) + format(" %.2f | %.2f | %.1f | %.1f |", r["nodes_per_ray"].get<double>(), r["tests_per_ray"].get<double>(),
-                                r["read_bytes_per_ray"].get<double>(), r["write_bytes_per_ray"].get<double>());
-    for (const char* unit : {"node_pipe", "primitive_pipe", "divider", "tile_start", "shading", "read_ports", "write_port"}) out += " " + percent(r["utilisation"][unit]) + " |";
+    out +=
+        tree_row(r) + format(" %.2f | %.2f | %.1f | %.1f |", r["nodes_per_ray"].get<double>(), r["tests_per_ray"].get<double>(),
+                             r["read_bytes_per_ray"].get<double>(), r["write_bytes_per_ray"].get<double>());
+    for (const char* unit : {"node_pipe", "primitive_pipe", "divider", "tile_start", "shading", "read_ports", "write_port"})
+      out += " " + percent(r["utilisation"][unit]) + " |";
     for (const char* cache : {"node", "leaf", "tile", "l2", "attr"}) out += " " + percent(r["hit_rate"][cache]) + " |";
     out += "\n";
   }
   for (const Json& r : only(records, "tree_speed"))
-    out += format("\nThe teapot's base frame through the Verilated three-lane core, alone on the machine: %.2f s, %.2f M cycles/s.\n",
-                  r["seconds"].get<double>(), r["cycles_per_second"].get<double>() / 1e6);
+    out += format(
+        "\nThe teapot's base frame through the Verilated three-lane core, alone on the machine: %.2f s, %.2f M cycles/s.\n",
+        r["seconds"].get<double>(), r["cycles_per_second"].get<double>() / 1e6);
   return out;
 }
 
@@ -188,8 +197,9 @@ std::string compiled(const std::vector<Json>& records) {
       "\n## Scene images\nFrom a scene in memory to its image: grid, hierarchy, bytes. One thread.\n\n"
       "| scene | primitives | seconds | image, MB | nodes | leaves | levels |\n|---|---|---|---|---|---|---|\n";
   for (const Json& r : only(records, "compile"))
-    out += format("| %s | %lu | %.2f | %.2f | %lu | %lu | %u |\n", text(r, "scene").c_str(), r["primitives"].get<unsigned long>(), r["compile_seconds"].get<double>(),
-                  r["image_bytes"].get<double>() / 1e6, r["nodes"].get<unsigned long>(), r["leaves"].get<unsigned long>(), r["levels"].get<unsigned>());
+    out += format("| %s | %lu | %.2f | %.2f | %lu | %lu | %u |\n", text(r, "scene").c_str(), r["primitives"].get<unsigned long>(),
+                  r["compile_seconds"].get<double>(), r["image_bytes"].get<double>() / 1e6, r["nodes"].get<unsigned long>(),
+                  r["leaves"].get<unsigned long>(), r["levels"].get<unsigned>());
   return out;
 }
 
@@ -218,8 +228,10 @@ std::string embree(const std::vector<Json>& records) {
       "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Json& r : only(records, "embree")) {
     out += format("| %s | %s | %.2f s |", text(r, "scene").c_str(), text(r, "view").c_str(), r["build_seconds"].get<double>());
-    for (const char* packet : {"1", "4", "8", "16"}) out += format(" %.2f M/s |", r["rays_per_second"][packet].get<double>() / 1e6);
-    for (const char* key : {"other_primitive", "edges", "ties", "unexplained", "float64_with_model"}) out += format(" %lu |", r[key].get<unsigned long>());
+    for (const char* packet : {"1", "4", "8", "16"})
+      out += format(" %.2f M/s |", r["rays_per_second"][packet].get<double>() / 1e6);
+    for (const char* key : {"other_primitive", "edges", "ties", "unexplained", "float64_with_model"})
+      out += format(" %lu |", r[key].get<unsigned long>());
     out += "\n";
   }
   return out;
@@ -244,8 +256,10 @@ std::string page_of(const std::vector<Json>& records) {
       "# Bench\nWritten by `make bench`, which runs everything on this page; the same figures stand in `build/bench.json`. Cycles are the RTL's own\n"
       "counter, from the accepted start to done.\n";
   const std::pair<const char*, std::string (*)(const std::vector<Json>&)> sections[] = {
-      {"tree", tree},   {"list", lists},        {"compile", compiled},    {"frames", frames}, {"ladder", ladder}, {"transforms", transforms}, {"tiles", tiles},
-      {"stalls", stalls}, {"reference", reference}, {"embree", embree}, {"host", host}};
+      {"tree", tree},     {"list", lists},    {"compile", compiled},
+      {"frames", frames}, {"ladder", ladder}, {"transforms", transforms},
+      {"tiles", tiles},   {"stalls", stalls}, {"reference", reference},
+      {"embree", embree}, {"host", host}};
   for (const auto& [part, section] : sections)
     if (!only(records, part).empty()) page += section(records);
   return page;
@@ -264,14 +278,17 @@ std::vector<std::string> broken_bars(const std::vector<Json>& records) {
     if (r["part"] == "frames" && r["view"] == "base") check(r["cycles"] <= 163'500'000, "at most 163.5 M cycles", r);
     if (r["part"] == "frames") check(r["tests"] == kTeapotTests, "485,376,000 tests", r);
     if (r["part"] == "stalls")
-      for (const char* channel : {"ar", "r", "aw", "w", "b"}) check(r["blocked"].value(channel, 0.0) >= 0.25, "a quarter of the wanted cycles blocked", r);
+      for (const char* channel : {"ar", "r", "aw", "w", "b"})
+        check(r["blocked"].value(channel, 0.0) >= 0.25, "a quarter of the wanted cycles blocked", r);
     if (r["part"] == "reference") {
       const double rate = (r["scene"] == "spheres" ? 8 : 4) / 76'800.0;
-      check(r["other_primitive"].get<double>() <= std::max(rate * r["pixels"].get<double>(), r["pixels"] < 76'800 ? 1.0 : 0.0), "pixels that see another primitive", r);
+      check(r["other_primitive"].get<double>() <= std::max(rate * r["pixels"].get<double>(), r["pixels"] < 76'800 ? 1.0 : 0.0),
+            "pixels that see another primitive", r);
       check(r["far_colour"] == 0, "colours within 1 of 255", r);
     }
     if (r["part"] == "embree")
-      check(r["unexplained"] == 0 && r["other_primitive"].get<double>() * 76'800 <= 16 * r["pixels"].get<double>(), "at most 16 of 76,800 pixels differ from Embree, each explained", r);
+      check(r["unexplained"] == 0 && r["other_primitive"].get<double>() * 76'800 <= 16 * r["pixels"].get<double>(),
+            "at most 16 of 76,800 pixels differ from Embree, each explained", r);
     if (r["part"] == "list" && r["memory"] == "reference") check(r["cycles"] <= 400'000, "at most 400,000 cycles", r);
     if (const std::uint64_t bar = bar_of(r)) check(r["cycles"] <= bar, "at most " + std::to_string(bar) + " cycles", r);
     if (r["part"] == "tree_speed") check(r["seconds"] < 1, "a frame through the simulated core in under a second", r);

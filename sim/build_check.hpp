@@ -21,7 +21,8 @@ template <class Read> void check_build(Read&& read) {
     const std::uint32_t got = read(static_cast<unsigned>(reg));
     const auto wanted = static_cast<std::uint32_t>(expected);
     if (got != wanted)
-      throw DeviceError(std::string("the device's ") + what + " register holds " + hex(got) + ", this program needs " + hex(wanted));
+      throw DeviceError(std::string("the device's ") + what + " register holds " + hex(got) + ", this program needs " +
+                        hex(wanted));
   };
   expect("version", RegVersion, VersionMajor << 16 | VersionMinor << 8 | VersionPatch);
   expect("parameters", RegParameters, ImageParameters);

@@ -27,8 +27,9 @@ struct UsageError : std::runtime_error {
 
 struct Arguments {
   std::string image;
-  std::map<std::string, std::string> options{{"--engine", "uio"}, {"--mode", "bvh"}, {"-o", ""}, {"--frame", ""}, {"--hits", ""}, {"--rays", ""},
-                                             {"--uio", "castray"}, {"--udmabuf", ""}, {"--reserved", ""}, {"--timeout", "10000"}, {"--poll", "no"}};
+  std::map<std::string, std::string> options{{"--engine", "uio"}, {"--mode", "bvh"},      {"-o", ""},           {"--frame", ""},
+                                             {"--hits", ""},      {"--rays", ""},         {"--uio", "castray"}, {"--udmabuf", ""},
+                                             {"--reserved", ""},  {"--timeout", "10000"}, {"--poll", "no"}};
 
   Arguments(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
@@ -44,7 +45,8 @@ struct Arguments {
     if (image.empty()) throw UsageError("no scene image is named");
     if (at("--engine") != "uio" && at("--engine") != "model") throw UsageError("--engine " + at("--engine") + ": uio or model");
     if (at("--poll") != "yes" && at("--poll") != "no") throw UsageError("--poll " + at("--poll") + ": yes or no");
-    if (at("--timeout").empty() || at("--timeout").find_first_not_of("0123456789") != std::string::npos || at("--timeout").size() > 9)
+    if (at("--timeout").empty() || at("--timeout").find_first_not_of("0123456789") != std::string::npos ||
+        at("--timeout").size() > 9)
       throw UsageError("--timeout " + at("--timeout") + ": milliseconds");
   }
   const std::string& at(const std::string& name) const { return options.at(name); }
@@ -76,7 +78,8 @@ error_t run(const Arguments& args) {
   const Mode mode = args.mode();
   const SceneImage image = read_image(args.image);
   const std::string rays = args.at("--rays").empty() ? "" : read_file(args.at("--rays"));
-  if (args.at("--rays").empty() && image.frame.width == 0) throw UsageError(args.image + ": is compiled for a list of rays: name one with --rays");
+  if (args.at("--rays").empty() && image.frame.width == 0)
+    throw UsageError(args.image + ": is compiled for a list of rays: name one with --rays");
   std::unique_ptr<Device> device;
   if (args.at("--engine") == "uio") device = open_board(args.board());
   else device = std::make_unique<ModelDevice>();
@@ -85,9 +88,10 @@ error_t run(const Arguments& args) {
   const auto start = std::chrono::steady_clock::now();
   const auto report = [&](const auto& result, const std::string& what) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    std::printf("%s, %s: %s\n  rays %llu, hits %llu; cycles %llu; %.4f s\n", args.image.c_str(), what.c_str(), device->description().c_str(),
-                static_cast<unsigned long long>(result.counters[CntRays]), static_cast<unsigned long long>(result.counters[CntHits]),
-                static_cast<unsigned long long>(result.cycles()), seconds);
+    std::printf("%s, %s: %s\n  rays %llu, hits %llu; cycles %llu; %.4f s\n", args.image.c_str(), what.c_str(),
+                device->description().c_str(), static_cast<unsigned long long>(result.counters[CntRays]),
+                static_cast<unsigned long long>(result.counters[CntHits]), static_cast<unsigned long long>(result.cycles()),
+                seconds);
     if (result.error == ErrNone) write_words(args.at("--hits"), result.hits);
     return result.error;
   };
@@ -99,7 +103,8 @@ error_t run(const Arguments& args) {
   const error_t error = report(rendering, std::to_string(rendering.width) + "x" + std::to_string(rendering.height));
   if (error != ErrNone) return error;
   write_words(args.at("--frame"), rendering.pixels);
-  if (!args.at("-o").empty()) write_file(args.at("-o"), pixmap(rendering, image.frame.pixel_format == static_cast<std::uint64_t>(PixelBgra8)));
+  if (!args.at("-o").empty())
+    write_file(args.at("-o"), pixmap(rendering, image.frame.pixel_format == static_cast<std::uint64_t>(PixelBgra8)));
   return ErrNone;
 }
 

@@ -62,23 +62,34 @@ Scene SceneArguments::load() const {
 }
 
 void SceneArguments::print_notes(const Scene& scene) const {
-  for (const std::string& line : scene.warnings) std::fprintf(stderr, "%s: warning: %s\n", one_line(file).c_str(), one_line(line).c_str());
-  for (const std::string& line : scene.defaults) std::fprintf(stderr, "%s: default: %s\n", one_line(file).c_str(), one_line(line).c_str());
+  for (const std::string& line : scene.warnings)
+    std::fprintf(stderr, "%s: warning: %s\n", one_line(file).c_str(), one_line(line).c_str());
+  for (const std::string& line : scene.defaults)
+    std::fprintf(stderr, "%s: default: %s\n", one_line(file).c_str(), one_line(line).c_str());
 }
 
 void EngineArgument::add_to(CLI::App& command) {
-  command.add_option("--engine", name, "rtl: the simulated core; uio: that of this board; model: the bit-accurate model; float64, float32: references")
-      ->check(CLI::IsMember({"rtl", "uio", "model", "float64", "float32"}))->capture_default_str();
+  command
+      .add_option("--engine", name,
+                  "rtl: the simulated core; uio: that of this board; model: the bit-accurate model; float64, float32: references")
+      ->check(CLI::IsMember({"rtl", "uio", "model", "float64", "float32"}))
+      ->capture_default_str();
 }
 
 void CoreArguments::add_to(CLI::App& command) {
   command.add_option("--lanes", lanes, "lanes of the core")->check(CLI::Range(1, int{MaxLanes}))->capture_default_str();
-  command.add_option("--contexts", contexts, "rays in flight in each lane")->check(CLI::Range(1, 1 << CtxW))->capture_default_str();
+  command.add_option("--contexts", contexts, "rays in flight in each lane")
+      ->check(CLI::Range(1, 1 << CtxW))
+      ->capture_default_str();
   command.add_option("--tile", tile, "side of a tile in pixels")->check(CLI::IsMember({4, 8, 16}))->capture_default_str();
   command.add_option("--ports", ports, "memory ports of the core")->check(CLI::IsMember({1, 2}))->capture_default_str();
   command.add_option("--l2", l2_kbytes, "KB of the shared cache; 0: none")->check(whole_number)->capture_default_str();
-  command.add_option("--mode", mode, "how primitives are found: bvh, the hierarchy from each tile's start; bvh_root, from its root; brute, all are tested")
-      ->check(CLI::IsMember(std::vector<std::string>(sim::kModeNames.begin(), sim::kModeNames.end())))->capture_default_str();
+  command
+      .add_option(
+          "--mode", mode,
+          "how primitives are found: bvh, the hierarchy from each tile's start; bvh_root, from its root; brute, all are tested")
+      ->check(CLI::IsMember(std::vector<std::string>(sim::kModeNames.begin(), sim::kModeNames.end())))
+      ->capture_default_str();
   command.add_option("--memory", memory, "timing of the memory: reference, or hp with 8 requests outstanding")
       ->check(CLI::IsMember({"reference", "hp"}))->capture_default_str();
   command.add_option("--stalls", stalls, "pattern of stalls on the five channels of the memory")

@@ -32,6 +32,8 @@ struct SceneArguments {
   void print_notes(const Scene& scene) const;
 };
 
+inline const char* name_of(sim::Mode mode) { return sim::kModeNames[static_cast<std::size_t>(mode)]; }
+
 // Who traces. The first three take jobs and write hit records.
 struct EngineArgument {
   std::string name = "rtl";
@@ -47,7 +49,7 @@ struct CoreArguments {
   int tile = 1 << DefaultTileLog2;
   int ports = DefaultPorts;
   int l2_kbytes = DefaultL2Kbytes;
-  std::string mode = "bvh";
+  std::string mode = name_of(sim::Mode::kBvh);
   std::string memory = "reference";
   std::string stalls = "none";
   bool reorder = false;

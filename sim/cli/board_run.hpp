@@ -22,7 +22,8 @@ struct BoardFacts {
 };
 
 // job(driver) on the board, with the image loaded.
-template <class Job> BoardFacts run_on_board(const Context& context, const BoardArguments& arguments, const SceneImage& image, Job&& job) {
+template <class Job>
+BoardFacts run_on_board(const Context& context, const BoardArguments& arguments, const SceneImage& image, Job&& job) {
   sim::BoardOptions options = arguments.options;
   options.patience.silence = std::chrono::milliseconds(static_cast<std::int64_t>(1000 * arguments.timeout));
   const std::unique_ptr<sim::Device> device = context.open_board(options);

@@ -27,7 +27,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kStandard = "-";  // standard input, standard output
-constexpr const char* kRoot = sim::kModeNames[static_cast<std::size_t>(sim::Mode::kBvhRoot)];
 
 struct Arguments {
   SceneArguments scene;
@@ -41,9 +40,9 @@ struct Arguments {
   bool check = false;
   std::optional<std::size_t> only;
 
-  Arguments() { core.mode = kRoot; }
-  // A ray of a list has no tile.
-  const char* mode() const { return core.render_mode() == sim::Mode::kBrute ? "brute" : kRoot; }
+  Arguments() { core.mode = name_of(sim::Mode::kBvhRoot); }
+  // A ray of a list has no tile: it starts at the root.
+  sim::Mode mode() const { return core.render_mode() == sim::Mode::kBrute ? sim::Mode::kBrute : sim::Mode::kBvhRoot; }
   std::string name() const { return rays == kStandard ? "standard input" : rays; }
 };
 
@@ -55,14 +54,18 @@ class Query {
   ExitCode run() {
     if (args_.check && !args_.engine.is_core()) throw InputError("--check: only --engine rtl or uio is compared with the model");
     if (args_.raw && !args_.engine.is_device()) throw InputError("--raw: only with --engine rtl, uio or model");
-    if (!args_.trace.empty() && (args_.engine.name != "rtl" || !args_.only)) throw InputError("--trace: only with --engine rtl and --only, for one ray");
+    if (!args_.trace.empty() && (args_.engine.name != "rtl" || !args_.only))
+      throw InputError("--trace: only with --engine rtl and --only, for one ray");
     std::vector<Input> inputs;
     if (args_.rays != kStandard) inputs.push_back({"the file of rays", args_.rays});
     check_outputs({{"--output", args_.output == kStandard ? "" : args_.output, sim::check_writable},
                    {"--json", args_.json, sim::check_writable}, {"--trace", args_.trace, sim::check_writable}}, scene_, inputs);
     read_rays();
-    report_ = {{"scene", std::filesystem::path(args_.scene.file).stem().string()}, {"engine", args_.engine.name}, {"mode", args_.mode()},
-               {"commit", kCommit}, {"rays", count_}};
+    report_ = {{"scene", std::filesystem::path(args_.scene.file).stem().string()},
+               {"engine", args_.engine.name},
+               {"mode", name_of(args_.mode())},
+               {"commit", kCommit},
+               {"rays", count_}};
     const ExitCode code = args_.engine.is_device() ? on_device() : on_reference();
     if (!args_.json.empty()) write_json(args_.json, report_), wrote(args_.json);
     return code;
@@ -74,7 +77,8 @@ class Query {
     if (args_.raw) records_ = parse_records(args_.name(), bytes);
     else text_ = parse_rays(args_.name(), bytes, scene_.primitives());
     const std::size_t all = args_.raw ? records_.size() / RayBytes : text_.rays.size();
-    if (args_.only && *args_.only >= all) throw InputError("--only " + std::to_string(*args_.only) + ": there are " + std::to_string(all) + " rays, from 0");
+    if (args_.only && *args_.only >= all)
+      throw InputError("--only " + std::to_string(*args_.only) + ": there are " + std::to_string(all) + " rays, from 0");
     first_ = args_.only.value_or(0);
     count_ = args_.only ? 1 : all;
   }
@@ -86,7 +90,8 @@ class Query {
     } else {
       image_ = compile_list();
       records_.resize(text_.rays.size() * RayBytes);
-      for (std::size_t i = 0; i < text_.rays.size(); ++i) store_record(&records_[i * RayBytes], ray_record(image_, text_.rays[i]));
+      for (std::size_t i = 0; i < text_.rays.size(); ++i)
+        store_record(&records_[i * RayBytes], ray_record(image_, text_.rays[i]));
     }
     report_["grid_power"] = static_cast<int>(image_.header.grid_power);
   }
@@ -96,7 +101,8 @@ class Query {
       return compile(scene_, text_.rays);
     } catch (const SceneError&) {
       compile(scene_, std::span<const ListRay>());  // an error of the scene itself
-      throw InputError(place(farthest_origin(scene_, text_.rays)) + ": the origin lies too far from the scene: nothing is left of it on a grid that holds both");
+      throw InputError(place(farthest_origin(scene_, text_.rays)) +
+                       ": the origin lies too far from the scene: nothing is left of it on a grid that holds both");
     }
   }
 
@@ -119,7 +125,8 @@ class Query {
     ExitCode code = kOk;
     const sim::Answers answers = args_.engine.name == "rtl" ? on_rtl(code) : args_.engine.name == "uio" ? on_board() : on_model();
     if (answers.error != ErrNone) {
-      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(answers.error), meaning(answers.error));
+      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(answers.error),
+                   meaning(answers.error));
       report_["error"] = static_cast<int>(answers.error);
       return kDeviceError;
     }
@@ -131,11 +138,13 @@ class Query {
 
   void print_notes() const {
     args_.scene.print_notes(scene_);
-    for (const std::string& line : image_.warnings) std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
+    for (const std::string& line : image_.warnings)
+      std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
   }
 
   void print_title(const std::string& device) const {
-    std::fprintf(people_, "%s, %s of %s: %s\n", args_.scene.file.c_str(), counted(count_, "ray").c_str(), args_.name().c_str(), device.c_str());
+    std::fprintf(people_, "%s, %s of %s: %s\n", args_.scene.file.c_str(), counted(count_, "ray").c_str(), args_.name().c_str(),
+                 device.c_str());
   }
 
   sim::Answers on_rtl(ExitCode& code) {
@@ -155,7 +164,8 @@ class Query {
   sim::Answers on_board() {
     sim::Answers answers;
     ProgressBar bar("tracing");
-    const BoardFacts facts = run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) { answers = driver.query(asked(), options(), progress(bar)); });
+    const BoardFacts facts = run_on_board(
+        context_, args_.board, image_, [&](sim::Driver& driver) { answers = driver.query(asked(), options(), progress(bar)); });
     report_.update(report_of(answers.counters));
     report_["device"] = facts.device;
     report_["seconds"] = facts.seconds;
@@ -181,9 +191,11 @@ class Query {
     ProgressBar bar("model");
     const sim::Answers expected = sim::query_model(image_, asked(), options(), progress(bar));
     const sim::Comparison comparison = sim::compare(answers, expected);
-    const bool work = answers.counters[CntTests] == expected.counters[CntTests] && answers.counters[CntHits] == expected.counters[CntHits];
+    const bool work =
+        answers.counters[CntTests] == expected.counters[CntTests] && answers.counters[CntHits] == expected.counters[CntHits];
     report_["hits_differ"] = comparison.hits_differ;
-    std::fprintf(people_, "  against the model: %s of %s hit records differ\n", grouped(comparison.hits_differ).c_str(), grouped(count_).c_str());
+    std::fprintf(people_, "  against the model: %s of %s hit records differ\n", grouped(comparison.hits_differ).c_str(),
+                 grouped(count_).c_str());
     if (!work) std::fprintf(people_, "  the counters of tests or hits differ from the model's\n");
     for (const std::size_t i : comparison.first) explain(i, answers, expected);
     return comparison.hits_differ == 0 && work;
@@ -191,10 +203,12 @@ class Query {
 
   void explain(std::size_t i, const sim::Answers& answers, const sim::Answers& expected) const {
     const std::size_t ray = first_ + i;
-    std::fprintf(people_, "  ray %zu, %s\n    ray    %s\n    rtl    %s\n    model  %s\n    %s query %s %s --only %zu --check%s%s%s\n", ray, place(ray).c_str(),
-                 to_text(load_record<ray_record_t>(&records_[ray * RayBytes])).c_str(), to_text(answers.hit(i)).c_str(), to_text(expected.hit(i)).c_str(),
-                 shell_word(context_.program).c_str(), shell_word(args_.scene.file).c_str(), shell_word(args_.rays).c_str(), ray,
-                 args_.raw ? " --raw" : "", args_.scene.size ? (" --size " + *args_.scene.size).c_str() : "", args_.core.text().c_str());
+    std::fprintf(people_,
+                 "  ray %zu, %s\n    ray    %s\n    rtl    %s\n    model  %s\n    %s query %s %s --only %zu --check%s%s%s\n", ray,
+                 place(ray).c_str(), to_text(load_record<ray_record_t>(&records_[ray * RayBytes])).c_str(),
+                 to_text(answers.hit(i)).c_str(), to_text(expected.hit(i)).c_str(), shell_word(context_.program).c_str(),
+                 shell_word(args_.scene.file).c_str(), shell_word(args_.rays).c_str(), ray, args_.raw ? " --raw" : "",
+                 args_.scene.size ? (" --size " + *args_.scene.size).c_str() : "", args_.core.text().c_str());
   }
 
   std::vector<Answer> answers_of(const sim::Answers& answers) const {
@@ -211,7 +225,8 @@ class Query {
     {
       ProgressBar bar("tracing");
       const auto share = [&](double fraction) { bar.show(fraction, 0); };
-      hits = args_.engine.name == "float64" ? trace_list_float64(scene_, asked_rays(), 0, share) : trace_list_float32(scene_, asked_rays(), 0, share);
+      hits = args_.engine.name == "float64" ? trace_list_float64(scene_, asked_rays(), 0, share)
+                                            : trace_list_float32(scene_, asked_rays(), 0, share);
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::vector<Answer> answers(hits.size());
@@ -252,16 +267,22 @@ void add_query(CLI::App& app, Context& context) {
   CLI::App* command = app.add_subcommand("query", "the hits of a list of rays");
   const auto args = std::make_shared<Arguments>();
   args->scene.add_to(*command);
-  command->add_option("rays", args->rays, "lines of ox,oy,oz,dx,dy,dz, and if wanted tmin,tmax,any,cull,ignore, below a line with these names; -: standard input")->required();
+  command
+      ->add_option(
+          "rays", args->rays,
+          "lines of ox,oy,oz,dx,dy,dz, and if wanted tmin,tmax,any,cull,ignore, below a line with these names; -: standard input")
+      ->required();
   args->engine.add_to(*command);
   args->core.add_to(*command);
   args->board.add_to(*command);
   command->add_option("-o,--output", args->output, "the answers; -: standard output")->capture_default_str();
   command->add_option("--json", args->json, "a report");
-  command->add_flag("--raw", args->raw, "rays are records of 64 bytes, on the grid of the scene's frame, and answers are hit records of 32");
+  command->add_flag("--raw", args->raw,
+                    "rays are records of 64 bytes, on the grid of the scene's frame, and answers are hit records of 32");
   command->add_flag("--check", args->check, "compare every hit record with the model");
   command->add_option("--only", args->only, "only this ray, counted from 0, on the grid of all");
-  command->add_option("--trace", args->trace, "waveforms (FST) of --only one ray; a core with waveforms: make build/cores/l3c32t3p2m128w.so");
+  command->add_option("--trace", args->trace,
+                      "waveforms (FST) of --only one ray; a core with waveforms: make build/cores/l3c32t3p2m128w.so");
   command->callback([args, &context] { context.code = Query(*args, context).run(); });
 }
 

@@ -91,7 +91,8 @@ class Render {
   // Without a use for the hit records a core is not asked for them: they cost it cycles.
   bool wants_hits() const { return args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty() || args_.work(); }
   sim::RenderOptions options(bool hits, std::optional<sim::PixelWindow> window = {}) const {
-    return {.hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
+    return {
+        .hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
   }
 
   sim::Progress progress(ProgressBar& bar) const {
@@ -102,11 +103,15 @@ class Render {
   ExitCode on_device() {
     image_ = compile(scene_, scene_.width, scene_.height);
     args_.scene.print_notes(scene_);
-    for (const std::string& line : image_.warnings) std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
+    for (const std::string& line : image_.warnings)
+      std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
     ExitCode code = kOk;
-    const sim::Rendering rendering = args_.engine.name == "rtl" ? on_rtl(code) : args_.engine.name == "uio" ? on_board() : on_model();
+    const sim::Rendering rendering = args_.engine.name == "rtl"   ? on_rtl(code)
+                                     : args_.engine.name == "uio" ? on_board()
+                                                                  : on_model();
     if (rendering.error != ErrNone) {
-      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error), meaning(rendering.error));
+      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error),
+                   meaning(rendering.error));
       report_["error"] = static_cast<int>(rendering.error);
       return kDeviceError;
     }
@@ -152,7 +157,9 @@ class Render {
   sim::Rendering on_board() {
     sim::Rendering rendering;
     ProgressBar bar("rendering");
-    const BoardFacts facts = run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) { rendering = driver.render(options(wants_hits()), progress(bar)); });
+    const BoardFacts facts = run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) {
+      rendering = driver.render(options(wants_hits()), progress(bar));
+    });
     report_.update(report_of(rendering.counters));
     report_["device"] = facts.device;
     report_["seconds"] = facts.seconds;
@@ -186,7 +193,8 @@ class Render {
     ProgressBar bar("model");
     const sim::Rendering expected = sim::run_model(image_, options(true), progress(bar));
     const sim::Comparison comparison = sim::compare(rendering, expected);
-    const bool work = rendering.counters[CntTests] == expected.counters[CntTests] && rendering.counters[CntHits] == expected.counters[CntHits];
+    const bool work =
+        rendering.counters[CntTests] == expected.counters[CntTests] && rendering.counters[CntHits] == expected.counters[CntHits];
     report_["pixels_differ"] = comparison.pixels_differ;
     report_["hits_differ"] = comparison.hits_differ;
     print_comparison(comparison, rendering);
@@ -279,7 +287,8 @@ void add_render(CLI::App& app, Context& context) {
   command->add_flag("--check", args->check, "compare every pixel and every raw hit record with the model");
   command->add_flag("--against-float64", args->float64, "count the pixels that differ from the float64 reference");
   command->add_flag("--z-order", args->z_order, "walk the tiles along a Z curve, not in rows");
-  command->add_option("--trace", args->trace, "waveforms (FST): of --trace-window, or with --check of the first pixel that differs; "
+  command->add_option("--trace", args->trace,
+                      "waveforms (FST): of --trace-window, or with --check of the first pixel that differs; "
                       "a core with waveforms: make build/cores/l3c32t3p2m128w.so");
   command->add_option("--trace-window", args->trace_window, "FIRST:LAST, cycles since power-up");
   command->callback([args, &context] { context.code = Render(*args, context).run(); });

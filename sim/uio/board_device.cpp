@@ -24,19 +24,41 @@ struct Config {
   std::uint32_t lanes, contexts, tile;
   explicit Config(std::uint32_t word) : lanes(word & 0xff), contexts(word >> 8 & 0xff), tile(word >> 16 & 0xff) {}
   bool of_a_core() const {
-    return lanes >= 1 && lanes <= std::uint32_t{MaxLanes} && contexts >= 1 && contexts <= bit(CtxW) && (tile == 4 || tile == 8 || tile == 16);
+    return lanes >= 1 && lanes <= std::uint32_t{MaxLanes} && contexts >= 1 && contexts <= bit(CtxW) &&
+           (tile == 4 || tile == 8 || tile == 16);
   }
+};
+
+// How long nothing moved: work() is what a job has done.
+class Stillness {
+ public:
+  explicit Stillness(std::uint64_t work) : last_(work) {}
+  Clock::duration at(std::uint64_t work) {
+    const Clock::time_point now = Clock::now();
+    if (work != last_) moved_ = now;
+    last_ = work;
+    return now - moved_;
+  }
+
+ private:
+  std::uint64_t last_;
+  Clock::time_point moved_ = Clock::now();
 };
 
 }  // namespace
 
-BoardDevice::BoardDevice(std::unique_ptr<Registers> registers, std::unique_ptr<SharedMemory> memory, const BoardPatience& patience)
-    : registers_(std::move(registers)), memory_(std::move(memory)), silence_(patience.silence), polling_(patience.poll), space_(memory_->bytes()) {
+BoardDevice::BoardDevice(std::unique_ptr<Registers> registers, std::unique_ptr<SharedMemory> memory,
+                         const BoardPatience& patience)
+    : registers_(std::move(registers)),
+      memory_(std::move(memory)),
+      silence_(patience.silence),
+      polling_(patience.poll),
+      space_(memory_->bytes()) {
   check_core();
   const std::uint64_t end = memory_->address() + memory_->bytes();
   if (memory_->address() % FreeSpace::kPage != 0 || end < memory_->address() || end > std::uint64_t{1} << AddrW)
-    throw DeviceError(memory_->name() + ": the core does not reach it: it must begin at a multiple of " + std::to_string(FreeSpace::kPage) +
-                      " and end below 2^" + std::to_string(AddrW));
+    throw DeviceError(memory_->name() + ": the core does not reach it: it must begin at a multiple of " +
+                      std::to_string(FreeSpace::kPage) + " and end below 2^" + std::to_string(AddrW));
   if (!make_idle()) throw DeviceError(registers_->name() + ": the core is busy with a job that does not end: " + kReload);
 }
 
@@ -52,19 +74,21 @@ void BoardDevice::check_core() const {
   try {
     check_build([&](unsigned offset) { return registers_->read(offset); });
   } catch (const DeviceError& error) {
-    throw DeviceError(registers_->name() + ": " + error.what() + ": load the bitstream that was built from the same sources as this program");
+    throw DeviceError(registers_->name() + ": " + error.what() +
+                      ": load the bitstream that was built from the same sources as this program");
   }
   const std::uint32_t word = registers_->read(RegConfig);
   if (!Config(word).of_a_core())
-    throw DeviceError(registers_->name() + ": the configuration register holds " + hex(word) + ", which no core has: load the bitstream anew");
+    throw DeviceError(registers_->name() + ": the configuration register holds " + hex(word) +
+                      ", which no core has: load the bitstream anew");
 }
 
 std::string BoardDevice::description() const {
   const Config config(registers_->read(RegConfig));
   const char* const ends = interrupt_lost_ ? "polled, as no interrupt came" : polling_ ? "polled" : "interrupt";
-  return registers_->name() + ": lanes " + std::to_string(config.lanes) + ", contexts " + std::to_string(config.contexts) + ", tiles of " +
-         std::to_string(config.tile) + "x" + std::to_string(config.tile) + "; memory " + memory_->name() + " of " +
-         std::to_string(memory_->bytes()) + " bytes; " + ends;
+  return registers_->name() + ": lanes " + std::to_string(config.lanes) + ", contexts " + std::to_string(config.contexts) +
+         ", tiles of " + std::to_string(config.tile) + "x" + std::to_string(config.tile) + "; memory " + memory_->name() +
+         " of " + std::to_string(memory_->bytes()) + " bytes; " + ends;
 }
 
 // ---- Memory ----
@@ -72,8 +96,9 @@ Buffer BoardDevice::allocate(std::uint64_t bytes) {
   if (stuck_) throw DeviceError(registers_->name() + ": the last job did not end: " + kReload);
   const auto offset = space_.take(bytes);
   if (!offset)
-    throw DeviceError(memory_->name() + ": the job needs " + std::to_string(bytes) + " bytes more in one piece, " + std::to_string(space_.left()) +
-                      " of its " + std::to_string(memory_->bytes()) + " are free: make the buffer larger, as docs/uio.md says, or the frame smaller");
+    throw DeviceError(memory_->name() + ": the job needs " + std::to_string(bytes) + " bytes more in one piece, " +
+                      std::to_string(space_.left()) + " of its " + std::to_string(memory_->bytes()) +
+                      " are free: make the buffer larger, as docs/uio.md says, or the frame smaller");
   const Buffer buffer{memory_->address() + *offset, bytes};
   const std::vector<std::uint8_t> zeros(std::min(bytes, kChunk));
   for (std::uint64_t done = 0; done < bytes; done += zeros.size())
@@ -83,12 +108,17 @@ Buffer BoardDevice::allocate(std::uint64_t bytes) {
 
 std::uint64_t BoardDevice::offset_of(std::uint64_t address, std::uint64_t bytes) const {
   const std::uint64_t offset = address - memory_->address();
-  if (address < memory_->address() || !space_.holds(offset, bytes)) throw DeviceError("the host touches device memory that was never allocated");
+  if (address < memory_->address() || !space_.holds(offset, bytes))
+    throw DeviceError("the host touches device memory that was never allocated");
   return offset;
 }
 
-void BoardDevice::write(std::uint64_t address, std::span<const std::uint8_t> bytes) { memory_->write(offset_of(address, bytes.size()), bytes); }
-void BoardDevice::read(std::uint64_t address, std::span<std::uint8_t> bytes) { memory_->read(offset_of(address, bytes.size()), bytes); }
+void BoardDevice::write(std::uint64_t address, std::span<const std::uint8_t> bytes) {
+  memory_->write(offset_of(address, bytes.size()), bytes);
+}
+void BoardDevice::read(std::uint64_t address, std::span<std::uint8_t> bytes) {
+  memory_->read(offset_of(address, bytes.size()), bytes);
+}
 
 // ---- Registers ----
 void BoardDevice::write_reg(unsigned offset, std::uint32_t value) {
@@ -105,7 +135,8 @@ void BoardDevice::check_windows() {
   for (const JobWindow& window : windows_of(job)) {
     if (window.address >= memory_->address() && space_.holds(window.address - memory_->address(), window.bytes)) continue;
     make_idle();
-    throw DeviceError("nothing was started: the job's " + std::string(window.name) + " does not lie in a buffer of " + memory_->name());
+    throw DeviceError("nothing was started: the job's " + std::string(window.name) + " does not lie in a buffer of " +
+                      memory_->name());
   }
 }
 
@@ -115,7 +146,9 @@ std::uint64_t BoardDevice::counter(std::int64_t index) const {
 }
 
 // Grows as long as a job gets on.
-std::uint64_t BoardDevice::work() const { return counter(CntReadBeats) + counter(CntWriteBeats) + counter(CntTests) + counter(CntNodes); }
+std::uint64_t BoardDevice::work() const {
+  return counter(CntReadBeats) + counter(CntWriteBeats) + counter(CntTests) + counter(CntNodes);
+}
 
 // ---- Jobs ----
 Irq BoardDevice::wait_a_while() {
@@ -129,8 +162,8 @@ Irq BoardDevice::wait_a_while() {
 
 Wait BoardDevice::wait_interrupt(const Progress& progress) {
   const std::uint64_t expected = bytes_written(job_of_registers([&](unsigned offset) { return written_[offset]; }));
-  Clock::time_point looked = Clock::now(), moved = looked;
-  std::uint64_t last = work();
+  Clock::time_point looked = Clock::now();
+  Stillness still(work());
   for (;;) {
     const Irq irq = wait_a_while();
     // The interrupt's own register tells, not the line: one that was lost, or is not connected, is no hang.
@@ -140,17 +173,14 @@ Wait BoardDevice::wait_interrupt(const Progress& progress) {
     }
     if (Clock::now() - looked < kSlice && irq != Irq::kSilent) continue;
     looked = Clock::now();
-    if (const std::uint64_t now = work(); now != last) {
-      last = now;
-      moved = looked;
-    }
     if (progress) {
       const double written = static_cast<double>(counter(CntWriteBeats)) * kBeatBytes;
       progress(std::min(1.0, written / static_cast<double>(std::max<std::uint64_t>(expected, 1))), counter(CntCycles));
     }
-    if (looked - moved > silence_) break;
+    if (still.at(work()) > silence_) break;
   }
-  const std::string what = registers_->name() + ": the job does not end, and nothing moved for " + std::to_string(silence_.count()) + " ms; ";
+  const std::string what =
+      registers_->name() + ": the job does not end, and nothing moved for " + std::to_string(silence_.count()) + " ms; ";
   throw DeviceError(what + (make_idle() ? "the core is idle again" : std::string("the core is still busy: ") + kReload));
 }
 
@@ -158,15 +188,10 @@ bool BoardDevice::make_idle() {
   registers_->write(RegGie, 0);
   registers_->write(RegIer, 0);
   registers_->write(RegControl, 0);  // no auto restart
-  Clock::time_point moved = Clock::now();
-  std::uint64_t last = work();
+  Stillness still(work());
   while (!(registers_->read(RegControl) & bit(CtrlIdle))) {
     registers_->pause();
-    if (const std::uint64_t now = work(); now != last) {
-      last = now;
-      moved = Clock::now();
-    }
-    stuck_ = Clock::now() - moved > silence_;
+    stuck_ = still.at(work()) > silence_;
     if (stuck_) return false;
   }
   // Ones toggle: what is set is cleared.

@@ -14,7 +14,8 @@ namespace {
 // ADDRESS:BYTES, each decimal or 0x, whole pages.
 std::pair<std::uint64_t, std::uint64_t> parse_region(const std::string& text) {
   const auto fail = [&] {
-    throw DeviceError("--reserved " + text + ": not of the form ADDRESS:BYTES, both multiples of " + std::to_string(FreeSpace::kPage));
+    throw DeviceError("--reserved " + text + ": not of the form ADDRESS:BYTES, both multiples of " +
+                      std::to_string(FreeSpace::kPage));
   };
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) fail();

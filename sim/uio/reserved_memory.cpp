@@ -11,7 +11,9 @@ ReservedMemory::ReservedMemory(const KernelRoots& roots, std::uint64_t address, 
     : file_name_(roots.dev / "mem"), address_(address), bytes_(bytes), file_(file_name_, O_RDWR | O_SYNC),
       mapping_(file_, file_name_, address, bytes) {}
 
-void ReservedMemory::write(std::uint64_t offset, std::span<const std::uint8_t> bytes) { copy_out(mapping_.data() + offset, bytes); }
+void ReservedMemory::write(std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+  copy_out(mapping_.data() + offset, bytes);
+}
 void ReservedMemory::read(std::uint64_t offset, std::span<std::uint8_t> bytes) { copy_in(bytes, mapping_.data() + offset); }
 
 }  // namespace castray::sim

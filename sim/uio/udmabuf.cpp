@@ -26,15 +26,20 @@ fs::path folder_of(const KernelRoots& roots, const std::string& name) {
   std::sort(all.begin(), all.end());
   for (const fs::path& folder : all)
     if (name.empty() || folder.filename() == name) return folder;
-  if (name.empty()) throw DeviceError("no buffer: there is none under " + (roots.sys / "class/u-dma-buf").string() + "; " + kWhatToDo);
+  if (name.empty())
+    throw DeviceError("no buffer: there is none under " + (roots.sys / "class/u-dma-buf").string() + "; " + kWhatToDo);
   throw DeviceError("no buffer named '" + name + "' under " + (roots.sys / "class/u-dma-buf").string() + "; " + kWhatToDo);
 }
 
 }  // namespace
 
 Udmabuf::Udmabuf(const KernelRoots& roots, const std::string& name)
-    : attributes_(folder_of(roots, name)), name_(attributes_.filename().string()), address_(read_number(attributes_ / "phys_addr")),
-      bytes_(read_number(attributes_ / "size")), file_(roots.dev / name_, O_RDWR), mapping_(file_, roots.dev / name_, 0, bytes_) {}
+    : attributes_(folder_of(roots, name)),
+      name_(attributes_.filename().string()),
+      address_(read_number(attributes_ / "phys_addr")),
+      bytes_(read_number(attributes_ / "size")),
+      file_(roots.dev / name_, O_RDWR),
+      mapping_(file_, roots.dev / name_, 0, bytes_) {}
 
 void Udmabuf::write(std::uint64_t offset, std::span<const std::uint8_t> bytes) {
   std::memcpy(data() + offset, bytes.data(), bytes.size());

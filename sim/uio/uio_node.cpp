@@ -40,7 +40,8 @@ fs::path entry_by_name(const fs::path& folder, const std::string& wanted) {
     else others += (others.empty() ? "; there are: " : ", ") + name;
   }
   if (found.size() == 1) return found.front();
-  if (found.empty()) throw DeviceError("no board: no device named '" + wanted + "' under " + folder.string() + others + "; " + kWhatToDo);
+  if (found.empty())
+    throw DeviceError("no board: no device named '" + wanted + "' under " + folder.string() + others + "; " + kWhatToDo);
   std::string names;
   for (const fs::path& entry : found) names += (names.empty() ? "" : ", ") + entry.filename().string();
   throw DeviceError("several devices are named '" + wanted + "' (" + names + "): choose one with --uio /dev/uioN");
@@ -51,17 +52,20 @@ fs::path entry_by_name(const fs::path& folder, const std::string& wanted) {
 UioNode find_uio(const KernelRoots& roots, const std::string& wanted) {
   const fs::path folder = roots.sys / "class/uio";
   if (!fs::is_directory(folder))
-    throw DeviceError("no board: this system has no " + folder.string() + "; on the board " + kWhatToDo + "; elsewhere use --engine rtl or model");
+    throw DeviceError("no board: this system has no " + folder.string() + "; on the board " + kWhatToDo +
+                      "; elsewhere use --engine rtl or model");
   check_bitstream(roots);
   const bool by_path = wanted.find('/') != std::string::npos;
   const fs::path entry = by_path ? folder / fs::path(wanted).filename() : entry_by_name(folder, wanted);
-  if (!fs::is_directory(entry)) throw DeviceError("no board: " + wanted + " is not among the devices under " + folder.string() + "; " + kWhatToDo);
+  if (!fs::is_directory(entry))
+    throw DeviceError("no board: " + wanted + " is not among the devices under " + folder.string() + "; " + kWhatToDo);
   UioNode node{by_path ? fs::path(wanted) : roots.dev / entry.filename(), read_attribute(entry / "name")};
   const fs::path map = entry / "maps/map0";
   if (fs::exists(map / "offset")) node.offset = read_number(map / "offset");
   const std::uint64_t size = read_number(map / "size");
   if (size < node.offset + kRegisterBytes)
-    throw DeviceError(node.file.string() + ": maps " + std::to_string(size) + " bytes, a core's registers take " + std::to_string(kRegisterBytes) + ": not this core's node");
+    throw DeviceError(node.file.string() + ": maps " + std::to_string(size) + " bytes, a core's registers take " +
+                      std::to_string(kRegisterBytes) + ": not this core's node");
   return node;
 }
 

@@ -25,7 +25,10 @@ void barrier() {
 }  // namespace
 
 UioRegisters::UioRegisters(const UioNode& node)
-    : node_(node), file_(node.file, O_RDWR | O_SYNC), mapping_(file_, node.file, 0, node.offset + kRegisterBytes), line_(file_.number()) {
+    : node_(node),
+      file_(node.file, O_RDWR | O_SYNC),
+      mapping_(file_, node.file, 0, node.offset + kRegisterBytes),
+      line_(file_.number()) {
   if (::flock(file_.number(), LOCK_EX | LOCK_NB) != 0)
     throw DeviceError(node.file.string() + ": another program uses the core; wait for its end");
 }

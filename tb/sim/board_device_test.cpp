@@ -70,7 +70,8 @@ TEST_F(BoardDevice, AListEqualsTheModels) {
   sim::Driver driver(*device);
   driver.load(cube());
   std::vector<ray_record_t> rays(40);
-  for (std::size_t i = 0; i < rays.size(); ++i) rays[i] = ray_record(cube(), {.origin = {4, 3, 5 - 0.1 * static_cast<double>(i)}, .direction = {-4, -3, -5}});
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    rays[i] = ray_record(cube(), {.origin = {4, 3, 5 - 0.1 * static_cast<double>(i)}, .direction = {-4, -3, -5}});
   const std::vector<std::uint8_t> records = sim::bytes_of(rays);
   const sim::Answers answers = driver.query(records), expected = sim::query_model(cube(), records);
   ASSERT_EQ(answers.error, ErrNone);
@@ -132,8 +133,11 @@ TEST_F(BoardDevice, AnErrorOfTheJobLeavesTheCoreIdle) {
 
 // ---- What is not begun ----
 TEST_F(BoardDevice, AnotherBuildIsRefusedUntouched) {
-  for (const auto& [reg, value, word] : {std::tuple{RegVersion, 0x00ff0000u, "version"}, {RegVersion, 0u, "version"},
-                                         {RegParameters, 7u, "parameters"}, {RegConfig, 0u, "configuration"}, {RegConfig, 0x092003u, "configuration"}}) {
+  for (const auto& [reg, value, word] : {std::tuple{RegVersion, 0x00ff0000u, "version"},
+                                         {RegVersion, 0u, "version"},
+                                         {RegParameters, 7u, "parameters"},
+                                         {RegConfig, 0u, "configuration"},
+                                         {RegConfig, 0x092003u, "configuration"}}) {
     core_->lies = {{static_cast<unsigned>(reg), value}};
     EXPECT_TRUE(says(refusal([&] { open(); }), {"simulated core", word, "load the bitstream"}));
   }
@@ -165,7 +169,8 @@ TEST_F(BoardDevice, ABufferTooSmallIsRefused) {
   const auto device = open();
   sim::Driver driver(*device);
   const SceneImage large = compile(load_scene("scenes/cube.json"), 320, 240);
-  EXPECT_TRUE(says(refusal([&] { driver.load(large); }), {"udmabuf0", std::to_string(320 * 240 * 32), std::to_string(KernelFiles::kBytes), "larger"}));
+  EXPECT_TRUE(says(refusal([&] { driver.load(large); }),
+                   {"udmabuf0", std::to_string(320 * 240 * 32), std::to_string(KernelFiles::kBytes), "larger"}));
   driver.load(cube());
   EXPECT_EQ(driver.render().error, ErrNone);
   std::vector<std::uint8_t> byte(1);

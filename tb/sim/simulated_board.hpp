@@ -68,7 +68,8 @@ class SimulatedRegisters final : public sim::Registers {
 };
 
 inline std::unique_ptr<sim::Device> open_simulated(const std::shared_ptr<SimulatedCore>& core, const sim::BoardOptions& options) {
-  return std::make_unique<sim::BoardDevice>(std::make_unique<SimulatedRegisters>(core), sim::open_memory(options), options.patience);
+  return std::make_unique<sim::BoardDevice>(std::make_unique<SimulatedRegisters>(core), sim::open_memory(options),
+                                            options.patience);
 }
 
 // What a call that must throw DeviceError says: one line.

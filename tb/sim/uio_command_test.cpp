@@ -54,15 +54,20 @@ class UioCommand : public CommandLine {
 };
 
 TEST_F(UioCommand, RendersWhatTheModelDoes) {
-  const Outcome outcome = on_core(render_ + " --check --json " + path("a.json") + " --frame " + path("a.frame") + " --hits " + path("a.hits"));
+  const Outcome outcome =
+      on_core(render_ + " --check --json " + path("a.json") + " --frame " + path("a.frame") + " --hits " + path("a.hits"));
   ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
-  EXPECT_TRUE(says(outcome.out, {"simulated core: lanes 1", "against the model: 0 of 768 pixels and 0 of 768 hit records differ", "cycles"}));
+  EXPECT_TRUE(says(outcome.out,
+                   {"simulated core: lanes 1", "against the model: 0 of 768 pixels and 0 of 768 hit records differ", "cycles"}));
   const auto report = nlohmann::json::parse(read(path("a.json")));
   EXPECT_EQ(report["engine"], "uio");
   EXPECT_EQ(report["pixels_differ"], 0);
   EXPECT_GT(report["cycles"], 500);
   EXPECT_EQ(core_->rtl.violations(), 0u);
-  ASSERT_EQ(run("render scenes/cube.json --size 32x24 --engine model -o " + path("b.png") + " --frame " + path("b.frame") + " --hits " + path("b.hits")).code, 0);
+  ASSERT_EQ(run("render scenes/cube.json --size 32x24 --engine model -o " + path("b.png") + " --frame " + path("b.frame") +
+                " --hits " + path("b.hits"))
+                .code,
+            0);
   EXPECT_EQ(read(path("a.frame")), read(path("b.frame")));
   EXPECT_EQ(read(path("a.hits")), read(path("b.hits")));
 }
@@ -110,7 +115,8 @@ TEST_F(UioCommand, AHangIsGivenUp) {
 }
 
 TEST_F(UioCommand, AFrameThatDoesNotFitIsRefused) {
-  expect_one_line(on_core("render scenes/cube.json --size 640x480 -o " + path("a.png")), 4, {"udmabuf0", "make the buffer larger"});
+  expect_one_line(on_core("render scenes/cube.json --size 640x480 -o " + path("a.png")), 4,
+                  {"udmabuf0", "make the buffer larger"});
   EXPECT_EQ(core_->starts, 0u);
 }
 

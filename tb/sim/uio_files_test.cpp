@@ -47,8 +47,11 @@ TEST_F(UioFiles, TheCoreIsFoundByItsName) {
 }
 
 TEST_F(UioFiles, WithoutABoardItSaysSo) {
-  EXPECT_TRUE(says(refusal([] { sim::open_board({.uio = "castray", .udmabuf = "", .reserved = "", .patience = {}, .roots = {"/nowhere", "/nowhere"}}); }),
-                   {"no board", "/nowhere/class/uio", "--engine rtl"}));
+  EXPECT_TRUE(says(
+      refusal([] {
+        sim::open_board({.uio = "castray", .udmabuf = "", .reserved = "", .patience = {}, .roots = {"/nowhere", "/nowhere"}});
+      }),
+      {"no board", "/nowhere/class/uio", "--engine rtl"}));
   const auto state = kernel_->roots.sys / "class/fpga_manager/fpga0/state";
   std::filesystem::create_directories(state.parent_path());
   KernelFiles::put(state, "unknown\n");
@@ -184,7 +187,8 @@ TEST_F(UioFiles, ReservedMemoryIsMappedAtItsAddress) {
 
 TEST_F(UioFiles, ARegionHasOneForm) {
   sim::BoardOptions options = kernel_->options();
-  for (const char* text : {"0x2000", "0x2000:", ":4096", "0x2000:100", "0x2001:4096", "0x2000:0", "-4096:4096", "0x2000:4096x", "99999999999999999999:4096"}) {
+  for (const char* text : {"0x2000", "0x2000:", ":4096", "0x2000:100", "0x2001:4096", "0x2000:0", "-4096:4096", "0x2000:4096x",
+                           "99999999999999999999:4096"}) {
     options.reserved = text;
     EXPECT_TRUE(says(refusal([&] { sim::open_memory(options); }), {"--reserved", text, "ADDRESS:BYTES"}));
   }
