@@ -63,7 +63,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         trees = queue.Queue()
         for job in range(args.jobs):
-            trees.put(shutil.copytree(fault_list.ROOT, pathlib.Path(folder) / f"castray{job}", ignore=shutil.ignore_patterns(".git")))
+            trees.put(shutil.copytree(fault_list.ROOT, pathlib.Path(folder) / f"castray{job}", ignore=shutil.ignore_patterns(".git", "*.pch")))
 
         def in_a_tree(work, item):
             tree = trees.get()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// prim_tests with a hit unit of its own.
+// prim_tests with a hit unit of its own, which takes nothing while it is closed.
 module prim_tests_tb
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
@@ -20,6 +20,7 @@ module prim_tests_tb
   input  test_ray_t       test_ray_i,
   input  prim_slot_t      test_prim_i,
 
+  input  logic            open_i,
   output logic [IdxW-1:0] hit_ctx_o,       // the ray that the hit unit needs
   input  hit_ray_t        hit_ray_i,
 
@@ -46,12 +47,12 @@ module prim_tests_tb
   assign cand_ray[0] = hit_ray_i;
   shared_hits #(.Lanes(1)) u_hits (
     .clk_i, .rst_ni,
-    .cand_valid_i(cand_valid), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
+    .cand_valid_i(cand_valid && open_i), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
     .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
   );
 
   prim_tests #(.Contexts(Contexts)) u_prim_tests (
-    .cand_valid_o(cand_valid), .cand_ready_i(cand_ready), .cand_o(cand[0]), .hit_over_i(hit_over),
+    .cand_valid_o(cand_valid), .cand_ready_i(cand_ready && open_i), .cand_o(cand[0]), .hit_over_i(hit_over),
     .result_valid_i(result_valid), .result_i(result),
     .clk_i, .rst_ni, .start_i, .start_ready_o, .start_ctx_i, .tmax_i, .test_valid_i, .test_ready_o, .test_ctx_i,
     .test_ray_i, .test_prim_i, .over_o, .over_ctx_o, .idle_o, .accept_o, .node_ctx_i, .node_t_o, .step_ctx_i,

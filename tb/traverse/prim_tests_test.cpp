@@ -21,7 +21,7 @@ class PrimTests : public testing::Test {
     std::vector<prim_slot_t> sent;
   };
 
-  PrimTests() { dut->start_i = dut->test_valid_i = 0; }
+  PrimTests() { dut->start_i = dut->test_valid_i = 0, dut->open_i = 1; }
 
   // Runs rays of `tests` tests each; `busy`: the share of cycles in which a test is offered.
   void run(const Work& work, int tests, double busy) {
@@ -117,6 +117,37 @@ TEST_F(PrimTests, HoldsWhatItAccepts) {
   run(work, 40, 1);
   EXPECT_EQ(accepted, 4000);
   EXPECT_GT(refused, 1000);
+}
+
+// The hit unit takes nothing until tests are refused and all that were not have come to the queue.
+TEST_F(PrimTests, HoldsWhatIsUnderWayWhileTheHitUnitIsClosed) {
+  Work work = random_work(4, 1, 1);
+  ray_t& ray = work.rays[0];
+  ray.cull = 0, ray.tmin = 0, ray.tmax = TMax;
+  prim_slot_t around;
+  around.kind = KindSphere;
+  around.a = ray.org;
+  around.b.x = 5000;
+  set_port(dut->test_ray_i, test_ray_of(ray));
+  set_port(dut->hit_ray_i, hit_ray_of(ray));
+  set_port(dut->test_prim_i, around);
+  dut->test_ctx_i = 0, dut->open_i = 0;
+  int sent = 0, over = 0;
+  for (dut.settle(); dut->test_ready_o && sent < 100; dut.settle(), ++sent) {
+    dut->test_valid_i = 1;
+    dut.tick();
+    dut->test_valid_i = 0;
+  }
+  EXPECT_EQ(sent, 32);
+  for (int cycle = 0; cycle < 200; ++cycle) {
+    dut->open_i = cycle >= 20;
+    dut.settle();
+    over += dut->over_o >> 1 & 1;
+    dut.tick();
+  }
+  EXPECT_EQ(over, sent);
+  dut.settle();
+  EXPECT_TRUE(dut->idle_o);
 }
 
 }  // namespace
