@@ -3,6 +3,15 @@
 // needs itself: this file only saves the compiler's time.
 #pragma once
 #include <gtest/gtest.h>
+#include <verilated.h>
+
+#include <cstring>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
 
 #include "castray_records.hpp"
-#include "dut.hpp"
+#include "fixed.hpp"
