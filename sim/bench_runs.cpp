@@ -68,7 +68,7 @@ void add_counters(Json& record, const Counts& counts, double rays, const Core& c
   Json& busy = record["utilisation"];   // shares of the cycles
   busy["node_pipe"] = count("nodes") / cycles / core.lanes;
   busy["primitive_pipe"] = count("tests") / cycles / core.lanes;
-  busy["divider"] = 2 * count("candidates") / cycles / core.lanes;   // two cycles a triangle
+  busy["divider"] = count("candidates") / cycles;   // one hit unit for all lanes
   busy["tile_start"] = 4 * count("tile_nodes") / cycles;             // four cycles a node
   busy["shading"] = 2 * count("hits") / cycles;                      // two cycles a hit
   busy["read_ports"] = count("read_beats") / cycles / core.ports;

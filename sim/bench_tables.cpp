@@ -171,7 +171,7 @@ std::string tree(const std::vector<Json>& records) {
   }
   out +=
       "\nThe work and the load, of the same frames. A ray is a pixel, those of empty tiles too. Shares of the cycles in which a unit is used, at its\n"
-      "rate: a node or a test a cycle in each lane, two cycles a division (of a triangle) in each lane, four a node of a tile's start, two a shaded\n"
+      "rate: a node or a test a cycle in each lane, a cycle a candidate in the one hit unit, four a node of a tile's start, two a shaded\n"
       "hit. Hit rates of each cache; a lookup of a line that is on its way is a miss.\n\n"
       "| scene | view | frame | mode | lanes | ports | L2, KB | memory | nodes a ray | tests a ray | bytes read a ray | written | node pipe | primitive pipe | "
       "divider | tile start | shading | read ports | write port | node cache | leaf cache | tile cache | L2 | attributes |\n"
