@@ -20,9 +20,9 @@ BUDGETS = pathlib.Path("tools/synth/budgets.json")
 CORE = "castray_core"
 CHECKED_LANES = 3
 LANES = (1, 2, 3, 4, 8)
-# A budget is what was measured. More DSPs or block RAMs than that fail; LUTs and flip-flops have this much room for
-# changes that mean nothing.
-ROOM = {"dsp": (1, 0), "bram36": (1, 0), "lut": (1.03, 10), "ff": (1.03, 10)}
+# A budget is what was measured. More DSPs or block RAMs than that fail; LUTs and flip-flops have this much room: a
+# module takes up to 8% more or fewer LUTs with what else is synthesised in the same process.
+ROOM = {"dsp": (1, 0), "bram36": (1, 0), "lut": (1.10, 10), "ff": (1.03, 10)}
 
 
 def record(name, lanes, counts):
