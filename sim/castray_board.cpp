@@ -4,11 +4,13 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <map>
 
 #include "driver.hpp"
 #include "model_device.hpp"
 #include "scene/files.hpp"
+#include "scene/replacement.hpp"
 #include "scene/scene_error.hpp"
 #include "uio/open_board.hpp"
 
@@ -22,6 +24,9 @@ constexpr const char* kUsage =
     "IMAGE: of 'castray compile'. --rays: 64-byte records instead of a frame; their hit records go to --hits.\n";
 
 struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -48,6 +53,23 @@ struct Arguments {
     if (at("--timeout").empty() || at("--timeout").find_first_not_of("0123456789") != std::string::npos ||
         at("--timeout").size() > 9)
       throw UsageError("--timeout " + at("--timeout") + ": milliseconds");
+    if (!at("--rays").empty() && (!at("-o").empty() || !at("--frame").empty()))
+      throw UsageError("-o, --frame: a list of rays has no picture; its hit records go to --hits");
+  }
+  // Before the job: each output can be written, and is no file that another option names.
+  void check_outputs() const {
+    std::map<std::filesystem::path, std::string> taken{{place_of(image), "the scene image"}};
+    if (!at("--rays").empty()) taken.emplace(place_of(at("--rays")), "the file of --rays");
+    for (const char* const option : {"-o", "--frame", "--hits"}) {
+      const std::string& file = at(option);
+      if (file.empty()) continue;
+      std::error_code error;
+      const auto status = std::filesystem::status(file, error);
+      if (std::filesystem::is_regular_file(status) || !std::filesystem::exists(status))
+        if (const auto [other, is_new] = taken.emplace(place_of(file), std::string("the file of ") + option); !is_new)
+          throw UsageError(std::string(option) + " " + file + ": is " + other->second + " as well");
+      if (const std::error_code unwritable = Replacement::check(file)) throw OutputError(file + ": cannot be written: " + unwritable.message());
+    }
   }
   const std::string& at(const std::string& name) const { return options.at(name); }
 
@@ -70,12 +92,20 @@ std::string pixmap(const Rendering& rendering, bool bgra) {
   return text;
 }
 
+void write_output(const std::string& file, const std::string& bytes) {
+  try {
+    write_file(file, bytes);
+  } catch (const SceneError& e) {
+    throw OutputError(e.what());
+  }
+}
 template <class Words> void write_words(const std::string& file, const Words& words) {
-  if (!file.empty()) write_file(file, std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]));
+  if (!file.empty()) write_output(file, std::string(reinterpret_cast<const char*>(words.data()), words.size() * sizeof words[0]));
 }
 
 error_t run(const Arguments& args) {
   const Mode mode = args.mode();
+  args.check_outputs();
   const SceneImage image = read_image(args.image);
   const std::string rays = args.at("--rays").empty() ? "" : read_file(args.at("--rays"));
   if (args.at("--rays").empty() && image.frame.width == 0)
@@ -104,7 +134,7 @@ error_t run(const Arguments& args) {
   if (error != ErrNone) return error;
   write_words(args.at("--frame"), rendering.pixels);
   if (!args.at("-o").empty())
-    write_file(args.at("-o"), pixmap(rendering, image.frame.pixel_format == static_cast<std::uint64_t>(PixelBgra8)));
+    write_output(args.at("-o"), pixmap(rendering, image.frame.pixel_format == static_cast<std::uint64_t>(PixelBgra8)));
   return ErrNone;
 }
 
@@ -118,9 +148,12 @@ int program(int argc, char** argv) {
   if (argc == 2 && std::strcmp(argv[1], "--help") == 0) return std::printf("%s", kUsage), 0;
   try {
     const error_t error = run(Arguments(argc, argv));
+    if (error == ErrNone && (std::fflush(stdout) != 0 || std::ferror(stdout))) return complain(6, "standard output cannot be written");
     return error == ErrNone ? 0 : complain(3, (std::string("the core stopped: ") + meaning(error)).c_str());
   } catch (const UsageError& e) {
     return complain(2, e.what());
+  } catch (const OutputError& e) {
+    return complain(6, e.what());
   } catch (const SceneError& e) {
     return complain(2, e.what());
   } catch (const std::invalid_argument& e) {

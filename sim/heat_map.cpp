@@ -17,6 +17,7 @@ using OIIO::TypeDesc;
 namespace Algo = OIIO::ImageBufAlgo;
 
 constexpr int kLeastWidth = 320;   // of the picture
+constexpr int kMostEnlarged = 4096;   // rows of a frame that is enlarged: a narrow one may be high
 constexpr int kBarHeight = 12, kTextHeight = 13, kMargin = 4;
 constexpr int kFooter = kBarHeight + kTextHeight + 4 * kMargin;
 constexpr const char* kFont = "DejaVuSans";   // package fonts-dejavu-core
@@ -39,8 +40,9 @@ std::string mean_of(std::span<const std::uint32_t> values) {
 
 void write_heat_map(const std::filesystem::path& file, int width, int height, std::span<const std::uint32_t> values,
                     const std::string& caption, const Metadata& metadata) {
-  const int scale = (kLeastWidth + width - 1) / width;
-  const int across = width * scale, down = height * scale;
+  const int scale = std::max(1, std::min((kLeastWidth + width - 1) / width, kMostEnlarged / height));
+  const int down = height * scale;
+  const int across = std::max(kLeastWidth, width * scale);   // of the sheet: room for the scale
   const std::uint32_t most = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
   const auto at = [&](int x, int y) {
     const std::size_t pixel = static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x / scale);
@@ -48,7 +50,7 @@ void write_heat_map(const std::filesystem::path& file, int width, int height, st
   };
   ImageBuf sheet(ImageSpec(across, down + kFooter, 3, TypeDesc::FLOAT));
   Algo::zero(sheet);
-  Algo::paste(sheet, 0, 0, 0, 0, colours(across, down, at));
+  Algo::paste(sheet, (across - width * scale) / 2, 0, 0, 0, colours(width * scale, down, at));
   const int bar = across - 2 * kMargin;
   Algo::paste(sheet, kMargin, down + kMargin, 0, 0,
               colours(bar, kBarHeight, [&](int x, int) { return static_cast<float>(x) / static_cast<float>(bar - 1); }));

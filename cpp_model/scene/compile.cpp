@@ -88,8 +88,9 @@ class Compiler {
     if (frame) image_.frame = frame_record(scene_, grid_, frame->width, frame->height);
     primitives();
     if (slots_.empty())
-      throw SceneError(scene_.file, "scene", "nothing is left on a grid of 2^" + std::to_string(grid_.power) + ": scene and " +
-                       (frame ? "camera" : "the origins of rays") + " lie too far apart");
+      throw SceneError(scene_.file, "scene", "nothing is left on a grid of 2^" + std::to_string(grid_.power) +
+                       (grid_.power == Grid::kFinestPower ? std::string(", the finest there is: the scene is too small")
+                        : std::string(": scene and ") + (frame ? "camera" : "the origins of rays") + " lie too far apart"));
   }
 
   Vec3 eye() const {

@@ -6,8 +6,10 @@
 
 #include "scene/files.hpp"
 #include "scene/geo.hpp"
+#include "scene/gltf_check.hpp"
 #include "scene/import.hpp"
-#include "scene/ply_header.hpp"
+#include "scene/ply_check.hpp"
+#include "scene/stl_check.hpp"
 
 namespace castray {
 namespace {
@@ -29,7 +31,9 @@ Mesh read_mesh(const std::filesystem::path& path) {
   if (!is_mesh_file(path))
     throw SceneError(path.string(), "file name", "unknown format \"" + extension(path) + "\"; known are .geo .obj .ply .stl .gltf .glb");
   if (extension(path) == ".geo") return read_geo(path);
-  if (extension(path) == ".ply") check_ply_header(read_file(path), path.string());
+  if (extension(path) == ".ply") check_ply(read_file(path), path.string());
+  if (extension(path) == ".stl") check_stl(read_file(path), path.string());
+  if (extension(path) == ".gltf" || extension(path) == ".glb") check_gltf(read_file(path), path.string());
   return import_mesh(path);
 }
 

@@ -134,7 +134,10 @@ void read_meshes(const JsonValue& value, Scene& scene, const std::filesystem::pa
   for (const JsonValue& one : value.elements()) {
     one.allow(kMeshKeys);
     MeshSource source;
-    source.file = (folder / one["file"].text()).lexically_normal().string();
+    const std::string name = one["file"].text();
+    if (name.empty()) one["file"].fail("is empty: the name of a mesh is needed");
+    if (name.find('\0') != std::string::npos) one["file"].fail("a file's name cannot hold a zero byte");
+    source.file = (folder / name).lexically_normal().string();
     if (one.has("object_to_world")) source.object_to_world = matrix(one["object_to_world"]);
     if (one.has("material")) source.material = choice<Material>(one["material"], kMaterials);
     add_mesh(scene, read_mesh(source.file), source.object_to_world, source.material, source.file);

@@ -142,7 +142,7 @@ class Core:
         self._jobs.usable()
         if mode not in MODES:
             raise ArgumentError(f"mode {mode!r}: it is one of {', '.join(MODES)}")
-        if not 0 <= steps < 1 << 24:
+        if not isinstance(steps, (int, np.integer)) or not 0 <= steps < 1 << 24:
             raise ArgumentError(f"steps: {steps}, must be 0 (no limit) to 2^24 - 1")
         return MODES[mode] | bool(work) << layout.OptionWork
 
@@ -184,7 +184,7 @@ def _window(image, window):
         return 0, 0
     try:
         x0, y0, x1, y1 = (int(side) for side in window)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise ArgumentError(f"window: (x0, y0, x1, y1) is needed, not {window!r}") from None
     if not (0 <= x0 < x1 <= image.width and 0 <= y0 < y1 <= image.height):
         raise ArgumentError(f"window {x0, y0, x1, y1}: empty, or not inside the frame of {image.width}x{image.height}")

@@ -35,7 +35,10 @@ def _vectors(what, value):
 
 def _column(what, value, count, dtype):
     try:
-        return np.broadcast_to(np.asarray(value, dtype), (count,))
+        column = np.asarray(value)
+        if np.issubdtype(dtype, np.integer) and not np.issubdtype(column.dtype, np.integer):
+            raise TypeError("not whole numbers")
+        return np.broadcast_to(column.astype(dtype), (count,))
     except (TypeError, ValueError, OverflowError) as error:
         raise RayError(f"{what}: one value, or one for each of the {count} rays, is needed: {error}") from None
 

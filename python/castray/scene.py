@@ -24,13 +24,16 @@ def compile(scene, size=None, origins=None):
     if size is not None:
         try:
             width, height = (int(side) for side in size)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             raise ArgumentError(f"size: (width, height) is needed, not {size!r}") from None
         if not all(1 <= side <= layout.MaxFrameSize for side in (width, height)):
             raise ArgumentError(f"size: {width}x{height}, each side must be 1 to {layout.MaxFrameSize}")
         size = (width, height)
     if origins is not None:
-        origins = np.ascontiguousarray(origins, np.float64)
+        try:
+            origins = np.ascontiguousarray(origins, np.float64)
+        except (TypeError, ValueError) as error:
+            raise ArgumentError(f"origins: not numbers in an array of shape (rays, 3): {error}") from None
         if origins.ndim != 2 or origins.shape[1] != 3 or not len(origins) or not np.isfinite(origins).all():
             raise ArgumentError(f"origins: finite numbers in an array of shape (rays, 3) are needed, this has {origins.shape}")
     try:

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _layout as layout
 from .device import Buffer, Device
-from .errors import ArgumentError, NoSimulationError, SimulationError
+from .errors import ArgumentError, NoMemoryError, NoSimulationError, SimulationError
 
 CYCLES = 1 << 13          # between two looks at the clock on the wall
 PATIENCE = 2_000_000      # cycles without traffic on the bus after which the core hangs
@@ -69,7 +69,10 @@ class Simulation(Device):
     def allocate(self, nbytes):
         if nbytes < 1:
             raise ArgumentError(f"a buffer of {nbytes} bytes")
-        return SimulatedBuffer(self._core, nbytes)
+        try:
+            return SimulatedBuffer(self._core, nbytes)
+        except MemoryError:
+            raise NoMemoryError(f"no memory for a buffer of {nbytes} bytes") from None
 
     def wait_interrupt(self, seconds):
         deadline = None if seconds is None else time.monotonic() + seconds

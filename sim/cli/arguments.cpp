@@ -24,15 +24,14 @@ FrameSize parse_size(const std::string& text) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-// CLI11 takes "-1" for the largest number there is.
+}  // namespace
+
 std::string whole_number(const std::string& text) {
   std::uint64_t number = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
   return whole ? "" : "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
-
-}  // namespace
 
 std::string shell_word(const std::string& word) {
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%";

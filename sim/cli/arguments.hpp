@@ -20,6 +20,9 @@ std::string shell_word(const std::string& word);
 // Two whole numbers in decimal digits and what stands between them, "320x240"; nothing else.
 std::optional<std::pair<std::uint64_t, std::uint64_t>> parse_pair(const std::string& text, char between);
 
+// For check(): empty, or what is wrong. CLI11 takes "-1" for the largest number there is.
+std::string whole_number(const std::string& text);
+
 struct SceneArguments {
   std::string file;
   std::optional<std::string> size;  // none: the scene's own

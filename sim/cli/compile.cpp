@@ -17,6 +17,7 @@ struct Arguments {
 };
 
 void compile_to(const Arguments& args) {
+  if (args.output.empty()) throw InputError("--output: the name is empty");
   const Scene scene = args.scene.load();
   check_outputs({{"--output", args.output, sim::check_writable}}, scene);
   const SceneImage image = compile(scene, scene.width, scene.height);

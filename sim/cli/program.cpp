@@ -37,6 +37,7 @@ int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim
   app.set_version_flag("--version", "castray " + version + " (" + kCommit + ")");
   app.footer(kFooter);
   app.require_subcommand(1);
+  if (argc <= 1) throw InputError("a subcommand is required; castray --help lists them");
   add_render(app, context);
   add_ray(app, context);
   add_info(app, context);
@@ -51,7 +52,9 @@ int run(int argc, const char* const* argv, const sim::RunRtl& run_rtl, const sim
   } catch (const CLI::Success& e) {
     return app.exit(e);  // --help, --version
   } catch (const CLI::ParseError& e) {
-    return complain(kBadInput, e.what());
+    const auto given = app.get_subcommands();
+    const std::string help = "; castray " + (given.empty() ? "" : given[0]->get_name() + " ") + "--help says what there is";
+    return complain(kBadInput, (e.what() + help).c_str());
   }
   return flushed(context.code);
 }

@@ -52,6 +52,7 @@ class Query {
       : args_(arguments), context_(context), people_(args_.output == kStandard ? stderr : stdout), scene_(args_.scene.load()) {}
 
   ExitCode run() {
+    if (args_.output.empty()) throw InputError("--output: the name is empty; -: standard output");
     if (args_.check && !args_.engine.is_core()) throw InputError("--check: only --engine rtl or uio is compared with the model");
     if (args_.raw && !args_.engine.is_device()) throw InputError("--raw: only with --engine rtl, uio or model");
     if (!args_.trace.empty() && (args_.engine.name != "rtl" || !args_.only))
@@ -280,7 +281,8 @@ void add_query(CLI::App& app, Context& context) {
   command->add_flag("--raw", args->raw,
                     "rays are records of 64 bytes, on the grid of the scene's frame, and answers are hit records of 32");
   command->add_flag("--check", args->check, "compare every hit record with the model");
-  command->add_option("--only", args->only, "only this ray, counted from 0, on the grid of all");
+  command->add_option("--only", args->only, "only this ray, counted from 0, on the grid of all")
+      ->check(whole_number);
   command->add_option("--trace", args->trace,
                       "waveforms (FST) of --only one ray; a core with waveforms: make build/cores/l3c32t3p2m128w.so");
   command->callback([args, &context] { context.code = Query(*args, context).run(); });
