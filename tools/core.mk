@@ -55,7 +55,7 @@ SIM_PROGRAMS := castray castray_board make_scene bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp sim/uio/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 # The command line runs once: its templates are not worth the compiler's effort.
-$(BUILD)/obj/sim/cli/%.o: CXXFLAGS += -O1
+$(BUILD)/obj/sim/cli/%.o: CXXFLAGS += -O0
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
 SIM_LIBS     := $(LIBS) -ldl -rdynamic
 
@@ -81,10 +81,10 @@ $(BUILD)/make_scene: $(BUILD)/obj/sim/make_scene.o $(LIB)
 	@$(CXX) $(filter %.o %.a,$^) -o $@ $(LIBS)
 
 # ---- Tests: tb/sim of the simulator itself, tb/frame of whole frames on the test variants ----
-$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB) $(TEST_PCH)
+$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB) $(TEST_PCHS)
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
-	@$(CXX) $(CXXFLAGS) -O1 $(USE_PCH) -Itb/common -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
+	@$(CXX) $(call test_flags,$*) -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
 # A test that runs the core says on which variants: "// Cores: l1c32t3p1m0 l3c32t3p2m128".
 $(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(shell sed -n 's,^// Cores: ,,p' $(t)))))
 

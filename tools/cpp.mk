@@ -34,15 +34,20 @@ MORE_TESTS  := $(shell grep -rl --include='*_test.cpp' '^// Unit: ' tb)
 SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
 MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(MORE_TESTS) $(SIM_TESTS),$(TESTS))
 
-# What most tests include, compiled once: it halves the time of a small test. It names files by their whole paths, so it
-# is of no use in another tree, where a cache of compilations would offer it.
-TEST_PCH   := $(BUILD)/gen/test.pch
-PCH_FLAGS   = -fpch-instantiate-templates -Xclang -fno-pch-timestamp $(VERILATED_INC)
+# A test takes longer to compile than to run, so it is compiled without optimisation, unless it says
+# "// Runs long." What most of them include is compiled once, for each of the two: it halves the time of a small test.
+# It names files by their whole paths, so it is of no use in another tree, where a cache of compilations would offer it.
+LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(shell grep -lE '^// (Runs long\.|Long: )' $(TESTS)))
+PCH_FLAGS    = -fpch-instantiate-templates -Xclang -fno-pch-timestamp $(VERILATED_INC)
 export CCACHE_SLOPPINESS := pch_defines,time_macros
-USE_PCH     = -include-pch $(TEST_PCH) $(PCH_FLAGS)
-$(TEST_PCH): tb/common/precompiled.hpp $(RECORDS)
-	@CCACHE_DISABLE=1 $(CXX) $(CXXFLAGS) -Itb/common $(PCH_FLAGS) -x c++-header $< -o $@
--include $(TEST_PCH:.pch=.d)
+TEST_PCHS   := $(BUILD)/gen/test-O0.pch $(BUILD)/gen/test-O2.pch
+$(TEST_PCHS): $(BUILD)/gen/test%.pch: tb/common/precompiled.hpp $(RECORDS)
+	@CCACHE_DISABLE=1 $(CXX) $(CXXFLAGS) $* -Itb/common $(PCH_FLAGS) -x c++-header $< -o $@
+-include $(TEST_PCHS:.pch=.d)
+# test_opt(test), test_pch(test), test_flags(test): how a test is compiled.
+test_opt     = $(if $(filter $(1),$(LONG_RUNS)),-O2,-O0)
+test_pch     = $(BUILD)/gen/test$(call test_opt,$(1)).pch
+test_flags   = $(CXXFLAGS) $(call test_opt,$(1)) -include-pch $(call test_pch,$(1)) $(PCH_FLAGS) -Itb/common
 
 # unit_model(unit): its Verilated model.
 define unit_model
@@ -53,9 +58,9 @@ $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard 
 endef
 # unit_test(test,unit): the program of a test, linked to the unit's model.
 define unit_test
-$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2))__ALL.a $(VERILATED_OBJ) $(TEST_PCH)
+$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2))__ALL.a $(VERILATED_OBJ) $(call test_pch,$(1))
 	@echo "  TEST  $(1)"
-	@$(CXX) $(CXXFLAGS) -O1 $(USE_PCH) -Itb/common -I$(BUILD)/unit/$(2) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
+	@$(CXX) $(call test_flags,$(1)) -I$(BUILD)/unit/$(2) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
 endef
 $(foreach u,$(UNIT_TESTS:tb/%_test.cpp=%),$(eval $(call unit_model,$(u)))$(eval $(call unit_test,$(u),$(u))))
 $(foreach t,$(MORE_TESTS:tb/%_test.cpp=%),$(eval $(call unit_test,$(t),$(shell sed -n 's,^// Unit: ,,p' tb/$(t)_test.cpp))))
@@ -63,10 +68,10 @@ $(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(shell grep -l '^// Links the lib
 
 LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,docs scene reference)),$(MODEL_TESTS))
 $(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)
-$(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(TEST_PCH)
+$(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(TEST_PCHS)
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
-	@$(CXX) $(CXXFLAGS) $(USE_PCH) -Itb/common $(filter %.cpp %.a,$^) -o $@ $(TEST_LIBS) $(if $(filter %.a,$^),$(LIBS))
+	@$(CXX) $(call test_flags,$*) $(filter %.cpp %.a,$^) -o $@ $(TEST_LIBS) $(if $(filter %.a,$^),$(LIBS))
 
 -include $(LIB_OBJECTS:.o=.d) $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test.d)
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // tile_walk: the model's walk has the properties asked of it, and the RTL is the model's walk.
 #include "Vtile_walk.h"
 #include "camera/tile_walk.hpp"

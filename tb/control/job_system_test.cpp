@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // Registers, control, loader, reader, writer and counters together behind an AXI memory: whole
 // jobs, errors and resets in mid-flight, and that the next job always works.
 #include "../axi/axi_sub.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // What a hierarchy may rely on: where the reported t of a primitive lies against its box. The
 // bounds are derived in docs/number-formats.md ("The margin of a box"); the worst seen is printed.
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // How far the model's t, u and v may be from the exact intersection of the rounded ray: bounds
 // derived from the formats (docs/number-formats.md), checked against exact integers.
 #include <gtest/gtest.h>

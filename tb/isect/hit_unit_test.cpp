@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The hit unit: RTL = model, normalisation, rounding, roots, throughput.
 #include "hit_unit_run.hpp"
 

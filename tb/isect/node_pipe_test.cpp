@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The node pipe: equal to its model, node for node; the limits of t, the order of children, every axis
 // and the nodes that no image may hold, by hand.
 #include "node_pipe_run.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The primitive pipe: RTL = model = the plain definition, ties, extremes, culling.
 #include "ray_prim_meshes.hpp"
 #include "ray_prim_spheres.hpp"

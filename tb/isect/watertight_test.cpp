@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // Rays from inside closed meshes through their edges and corners: each is accepted, in front of the
 // origin, by exactly one triangle. A million rays a mesh, every ray against every triangle.
 #include <gtest/gtest.h>

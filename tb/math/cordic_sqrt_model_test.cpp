@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The CORDIC square root's accuracy, proven: every normalised radicand, in exact integers.
 #include <gtest/gtest.h>
 

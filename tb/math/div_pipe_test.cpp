@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // div_pipe: equal to its model under stalls, for the widths that the core uses and for stages that
 // do not divide the digits evenly; ties, extremes and the guarded results by hand.
 #include "Vdiv_pipe.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The integer square root of the model is the true one: r^2 <= rad < (r + 1)^2.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // root_pipe: equal to its model, around squares and at the extremes, with gaps between radicands; one
 // root a cycle, RadW / 4 cycles later.
 #include "Vroot_pipe.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The memory behind the caches: each client gets each line that it asked for once, under its own
 // number; a line is fetched once at a time, from its own port.
 #include <map>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // Caches, the memory behind them and two AXI ports together: right lines, no hang while every
 // channel stalls and another client loads the ports, and what a hit and a miss cost.
 #include <map>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The cause of a disagreement: an edge, a tie, or none that rounding can explain.
 #include "reference/disagreement.hpp"
 

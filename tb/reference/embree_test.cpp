@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // Embree sees what the float64 reference sees, but for pixels whose line passes an edge within float32's
 // rounding; one ray at a time and in packets.
 #include "reference/embree.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The float64 reference: the four views of the teapot, and its definitions one by one.
 #include "reference/float64.hpp"
 

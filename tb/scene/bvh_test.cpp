@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The hierarchy of whole images: every primitive once, inside every box above it; at most 32 levels;
 // the same bytes from the same scene.
 #include "scene/bvh.hpp"

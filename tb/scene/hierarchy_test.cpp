@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The hierarchy against brute force on the scene files.
 #include "hierarchy_check.hpp"
 #include "scene_test.hpp"

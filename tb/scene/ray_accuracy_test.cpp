@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // How far the model's rays lie from the exact ones, on the teapot's four views: the bounds of
 // docs/number-formats.md, asserted for each ray; the largest errors seen are printed.
 #include <gtest/gtest.h>

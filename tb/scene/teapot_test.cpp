@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The tessellated teapot: counts, box, closed seams, normals, and that scenes/teapot.geo is it.
 #include "scene/teapot.hpp"
 

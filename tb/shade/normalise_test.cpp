@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // normalise: equal to its model under stalls; accurate against double; extremes by hand.
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // A hit's colour, from its normal to its pixel: RTL against model, model against double.
 #include "shade/shade.hpp"
 

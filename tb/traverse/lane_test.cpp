@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // A whole lane against its model: batches of rays past random primitives, all hits equal.
 // Verilator: -GContexts=8
 #include "Vlane.h"

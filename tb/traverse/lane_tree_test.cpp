@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // A lane in the hierarchy against its model: each ray's hit, nodes and tests, under stalls and with
 // small caches; from tiles' frontiers; the error of every image that is not one.
 // Links the library.

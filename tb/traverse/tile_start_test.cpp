@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // Where the rays of a tile start: the RTL's tiles and frontiers equal the model's, in order, under
 // stalls; and the model's frontier holds every primitive that a ray of the tile hits.
 // Links the library.

