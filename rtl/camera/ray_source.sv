@@ -78,6 +78,7 @@ module ray_source
   input  line_fill_t       fill_line_i,
 
   output logic             node_o,         // counter events
+  output logic             node_busy_o,    // one is split
   output logic             node_hit_o,
   output logic             node_miss_o
 );
@@ -107,7 +108,7 @@ module ray_source
     .store_valid_o, .store_slot_o, .store_second_o, .store_node_o,
     .req_valid_o, .req_ready_i, .req_o,
     .fill_valid_i(fill_line_valid_i), .fill_ready_o(fill_line_ready_o), .fill_i(fill_line_i),
-    .node_o, .hit_o(node_hit_o), .miss_o(node_miss_o)
+    .node_o, .busy_o(node_busy_o), .hit_o(node_hit_o), .miss_o(node_miss_o)
   );
 
   tile_deal #(.Lanes(Lanes), .TileLog2(TileLog2)) u_tile_deal (

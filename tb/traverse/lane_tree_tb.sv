@@ -49,7 +49,7 @@ module lane_tree_tb
   shared_hits #(.Lanes(1)) u_hits (
     .clk_i, .rst_ni,
     .cand_valid_i(cand_valid), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
-    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
+    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result), .busy_o()
   );
 
   lane #(.Contexts(Contexts), .NodeLines(NodeLines), .LeafLines(LeafLines), .TileNodes(32)) u_lane (
