@@ -12,7 +12,7 @@ module node_visits
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned Lines     = 512,   // of the cache
+  parameter int unsigned Lines     = DefaultCacheLines,   // of the cache
   parameter int unsigned TileNodes = 32,
   localparam int unsigned TileW    = $clog2(TileNodes)
 ) (

@@ -13,8 +13,8 @@ module tile_start
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned Tiles = StartTiles,     // a power of two
-  parameter int unsigned Lines = 128    // of the cache of nodes
+  parameter int unsigned Tiles = StartTiles,          // a power of two
+  parameter int unsigned Lines = DefaultStartLines    // of the cache of nodes
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,

@@ -4,8 +4,8 @@ module lane_tree_tb
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned NodeLines = 512,
-  parameter int unsigned LeafLines = 512
+  parameter int unsigned NodeLines = DefaultCacheLines,
+  parameter int unsigned LeafLines = DefaultCacheLines
 ) (
   input  logic         clk_i,
   input  logic         rst_ni,
