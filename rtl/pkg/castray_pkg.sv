@@ -201,6 +201,7 @@ package castray_pkg;
     ref_t target;
   } part_t;
   localparam int unsigned TileParts = 8;   // of a tile's frontier, at most: two nodes
+  localparam int unsigned TileReads = 64;  // nodes read for it, at most
 
   // How a tile's rays start: nowhere, at the root, or at its frontier of one node or two.
   localparam logic [1:0] TileEmpty = 2'd0;

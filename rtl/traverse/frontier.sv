@@ -13,11 +13,11 @@
 // Tiles are finished in any order and leave in theirs. part_o is the part part_i of the tile offered.
 // Model: cpp_model/traverse/frontier.hpp, equal bit for bit.
 module frontier
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned Tiles    = 4,    // a power of two
-  parameter int unsigned MaxNodes = 64    // read for a tile
+  parameter int unsigned Tiles = StartTiles   // a power of two
 ) (
   input  logic         clk_i,
   input  logic         rst_ni,
@@ -53,7 +53,7 @@ module frontier
 
   localparam int unsigned IdxW   = $clog2(Tiles);
   localparam int unsigned Places = 16;   // of a list: eight, and four that do not count yet
-  localparam int unsigned ReadW  = $clog2(MaxNodes + 1);
+  localparam int unsigned ReadW  = $clog2(TileReads + 1);
   localparam int unsigned Stages = 4;    // of tile_box
   typedef logic [IdxW-1:0] tile_no_t;
   typedef logic [3:0]      count_t;
@@ -182,7 +182,7 @@ module frontier
 
   assign look     = waiting_q[{judged_q, first_q[judged_q]}].target.index;
   assign spent    = waiting_count_q[judged_q] != '0;
-  assign ask_next = decide_q && spent && reads_q[judged_q] != ReadW'(MaxNodes);
+  assign ask_next = decide_q && spent && reads_q[judged_q] != ReadW'(TileReads);
   assign finish   = decide_q && !ask_next;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) decide_q <= 1'b0;
