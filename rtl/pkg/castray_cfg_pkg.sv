@@ -110,4 +110,9 @@ package castray_cfg_pkg;
     return ((lanes * (contexts + ray_queue(tile_log2)) - 1) >> (2 * tile_log2)) + 1 + lanes + StartTiles
            + DealTiles + WriteTiles;
   endfunction
+
+  // Nodes of their frontiers that a lane keeps: two for each slot.
+  function automatic int unsigned tile_nodes(int unsigned slots);
+    return 2 << $clog2(slots);
+  endfunction
 endpackage

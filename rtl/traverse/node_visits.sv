@@ -13,7 +13,7 @@ module node_visits
 #(
   parameter int unsigned Contexts  = DefaultContexts,
   parameter int unsigned Lines     = DefaultCacheLines,   // of the cache
-  parameter int unsigned TileNodes = 32,
+  parameter int unsigned TileNodes = tile_nodes(tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)),
   localparam int unsigned TileW    = $clog2(TileNodes)
 ) (
   input  logic             clk_i,

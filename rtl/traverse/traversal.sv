@@ -118,7 +118,7 @@ module traversal
 
   // ---- Hierarchy: what was dealt, by the tile's slot, or a list's turn; a queue for each lane ----
   localparam int unsigned SlotW     = $clog2(Slots);
-  localparam int unsigned TileNodes = 2 << SlotW;
+  localparam int unsigned TileNodes = tile_nodes(Slots);
   typedef struct packed {
     lane_no_t   lane;
     logic [1:0] start;
