@@ -146,7 +146,7 @@ module ray_source
   assign ray_px_ready = camera_ready && flag_ready && !corner_valid;
   assign issued       = camera_valid && camera_ready;
 
-  localparam int unsigned SetupRays = 64;   // more than the stages of ray_gen and ray_setup
+  localparam int unsigned SetupRays = 64;   // at least what ray_gen and ray_setup hold
   stream_fifo #(.data_t(logic), .Depth(SetupRays)) u_flags (
     .clk_i, .rst_ni, .used_o(),
     .valid_i(issued), .ready_o(flag_ready), .data_i(corner_valid),
@@ -189,4 +189,10 @@ module ray_source
     .available_o(), .idle_o(none_in_setup_o)
   );
   assign exhausted_o = walk_done_o && none_in_setup_o;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (flag_ready || !camera_ready) else $error("ray_gen and ray_setup hold more than SetupRays");
+  end
+`endif
 endmodule

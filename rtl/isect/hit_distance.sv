@@ -13,7 +13,7 @@
 module hit_distance
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
-  parameter int unsigned PlaceW = 6
+  parameter int unsigned PlaceW = HitPlaceW
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,
@@ -57,16 +57,19 @@ module hit_distance
     bary_t u;
     bary_t v;
   } where_t;
-  localparam int unsigned WaitCycles = 6;   // of u and v
+  localparam int unsigned WaitCycles = 6;   // of u and v: until the last stage but one
   typedef logic [2:0] turn_t;
+  if (WaitCycles >= 1 << $bits(turn_t)) begin : g_check
+    $error("hit_distance: the places of u and v are fewer than the cycles that they wait");
+  end
 
   base_t  base_q [1 << PlaceW];
   kept_t  kept_q [1 << PlaceW];
   where_t where_q [1 << $bits(turn_t)];
 
   // Stage k holds a candidate, and which one.
-  logic [6:1] valid_q;
-  place_t     place_q [6:1];
+  logic [WaitCycles:1] valid_q;
+  place_t     place_q [WaitCycles:1];
   turn_t      turn_q;   // the place of u and v is that of the cycle
 
   always_ff @(posedge clk_i) begin
@@ -74,13 +77,13 @@ module hit_distance
       valid_q <= '0;
       turn_q  <= '0;
     end else begin
-      valid_q <= {valid_q[5:1], q_valid_i};
+      valid_q <= {valid_q[WaitCycles-1:1], q_valid_i};
       turn_q  <= turn_q + 1'b1;
     end
   end
   always_ff @(posedge clk_i) begin
     if (q_valid_i) place_q[1] <= q_place_i;
-    for (int unsigned i = 2; i <= 6; i++) if (valid_q[i-1]) place_q[i] <= place_q[i-1];
+    for (int unsigned i = 2; i <= WaitCycles; i++) if (valid_q[i-1]) place_q[i] <= place_q[i-1];
   end
   always_ff @(posedge clk_i) begin
     if (put_i) begin
@@ -162,7 +165,7 @@ module hit_distance
   kept_t  kept;
   where_t uv;
   logic   sphere6, first, second;
-  assign kept    = kept_q[place_q[6]];
+  assign kept    = kept_q[place_q[WaitCycles]];
   assign uv      = where_q[turn_q - turn_t'(WaitCycles)];
   assign sphere6 = kind6_q == KindSphere;
   assign first   = beyond(t0_q, kept.tmin);
@@ -173,12 +176,12 @@ module hit_distance
       done_o      <= 1'b0;
       out_valid_o <= 1'b0;
     end else begin
-      done_o      <= valid_q[6];
-      out_valid_o <= valid_q[6] && (first || second);
+      done_o      <= valid_q[WaitCycles];
+      out_valid_o <= valid_q[WaitCycles] && (first || second);
     end
   end
   always_ff @(posedge clk_i) begin
-    if (valid_q[6]) begin
+    if (valid_q[WaitCycles]) begin
       out_lane_o   <= kept.lane;
       out_o.ctx    <= kept.ctx;
       out_o.number <= kept.number;

@@ -95,6 +95,7 @@ package castray_cfg_pkg;
   localparam int unsigned DefaultL2Ways      = 4;
   localparam int unsigned DefaultL2Misses    = 24;   // lines that each port's bank waits for
   localparam int unsigned DefaultAttrMisses  = 16;   // lines that the attribute cache waits for
+  localparam int unsigned DefaultRayBursts   = 8;    // bursts of a list's rays under way
 
   // Rays that wait before a lane: one tile's, and enough to bridge the setup of the next.
   function automatic int unsigned ray_queue(int unsigned tile_log2);

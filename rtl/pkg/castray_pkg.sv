@@ -267,6 +267,9 @@ package castray_pkg;
     bary_t v;
   } result_t;
 
+  // Bits of a candidate's place in the hit unit, which checks that they are enough: it holds fewer than 2^HitPlaceW.
+  localparam int unsigned HitPlaceW = 6;
+
   // The nearest hit of a ray, with what shading needs of the ray.
   typedef struct packed {
     pixel_tag_t tag;

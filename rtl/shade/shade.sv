@@ -33,8 +33,8 @@ module shade
   output logic       busy_o     // the normaliser takes a vector: counter event
 );
   width_check u_widths ();
-  localparam int unsigned RaysDepth   = 8;    // hits in interpolate and sphere_normal
-  localparam int unsigned PaintsDepth = 32;   // hits in normalise
+  localparam int unsigned RaysDepth   = 8;    // enough for a hit every two cycles through interpolate or sphere_normal
+  localparam int unsigned PaintsDepth = 32;   // at least what normalise holds
 
   typedef struct packed {
     pixel_tag_t tag;
@@ -150,4 +150,10 @@ module shade
             normal: unit, view: view_q}),
     .out_valid_o, .out_ready_i, .out_o
   );
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (paints_ready || !vector_ready) else $error("normalise holds more hits than PaintsDepth");
+  end
+`endif
 endmodule
