@@ -286,24 +286,14 @@ module castray_core
   );
   assign empty = traversal_idle && shading_idle;
 
-  // ---- Clocks of what rests by brute force: the caches always, camera and shading between the rays ----
-  localparam int unsigned Settle = 4095;   // more cycles than what is inside them takes to come to rest
-  logic camera_awake, shading_awake;
-  assign camera_awake  = !datapath_rst_n || !job.brute || walk_start || (tile_valid && tile_ready)
-                         || (list_valid && list_ready) || (ray_valid && ray_ready) || (miss_valid && miss_ready)
-                         || (back_valid && back_ready) || deal_valid;
-  assign shading_awake = !datapath_rst_n || !job.brute || (tile_valid && tile_ready)
-                         || (hit_valid && hit_ready) || (back_valid && back_ready)
-                         || (read_valid[ReadAttribute] && read_ready[ReadAttribute]) || rsp_valid[ReadAttribute]
-                         || (write_valid & write_ready) != '0;
-  clock_gate #(.Gated(GateClocks)) u_tree_clock (
-    .clk_i, .awake_i(!datapath_rst_n || !job.brute), .clk_o(tree_clk)
-  );
-  clock_gate #(.Gated(GateClocks), .Settle(Settle)) u_camera_clock (
-    .clk_i, .awake_i(camera_awake), .clk_o(camera_clk)
-  );
-  clock_gate #(.Gated(GateClocks), .Settle(Settle)) u_shading_clock (
-    .clk_i, .awake_i(shading_awake), .clk_o(shading_clk)
+  // ---- Clocks of what rests by brute force: what passes the border of ray_source, and of shading ----
+  clock_wake #(.GateClocks(GateClocks)) u_clock_wake (
+    .clk_i, .rst_ni(datapath_rst_n), .brute_i(job.brute),
+    .camera_valid_i({walk_start, tile_valid, list_valid, ray_valid, miss_valid, back_valid, deal_valid}),
+    .camera_ready_i({1'b1, tile_ready, list_ready, ray_ready, miss_ready, back_ready, 1'b1}),
+    .shading_valid_i({tile_valid, hit_valid, back_valid, read_valid[ReadAttribute], rsp_valid[ReadAttribute], write_valid}),
+    .shading_ready_i({tile_ready, hit_ready, back_ready, read_ready[ReadAttribute], 1'b1, write_ready}),
+    .tree_clk_o(tree_clk), .camera_clk_o(camera_clk), .shading_clk_o(shading_clk)
   );
 
   // ---- Counters ----
