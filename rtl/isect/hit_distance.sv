@@ -107,10 +107,10 @@ module hit_distance
 
   // The only place where precision is lost: a triangle's sum, to the last bit of a distance. The bits that
   // are dropped are the first function's, the half that decides is added by the second.
-  function automatic wide_t sixteenths(logic signed [54:0] sum);
+  function automatic wide_t sixteenths(mul_sum_t sum);
     return wide_t'(sum >>> (BaryFrac - TFrac));
   endfunction
-  function automatic logic half_up(logic signed [54:0] sum);
+  function automatic logic half_up(mul_sum_t sum);
     return sum[BaryFrac-TFrac-1];
   endfunction
   // Cz and what is added to it or, for a sphere ahead of a ray that goes back, subtracted.
@@ -130,7 +130,7 @@ module hit_distance
 
   base_t              base3, base4_q;
   logic               kind5_q, neg5_q, kind6_q;
-  logic signed [54:0] sum4_q;
+  mul_sum_t           sum4_q;
   part_t              part4_q;
   wide_t              z0_q, z1_q;
   t_t                 t0_q, t1_q;
@@ -139,7 +139,7 @@ module hit_distance
   always_ff @(posedge clk_i) begin
     if (valid_q[3]) begin
       base4_q <= base3;
-      sum4_q  <= 55'(p0) + ((base3.kind == KindSphere) ? '0 : 55'(p1));
+      sum4_q  <= mul_sum_t'(p0) + ((base3.kind == KindSphere) ? '0 : mul_sum_t'(p1));
       part4_q <= part_t'(p1);
     end
     if (valid_q[4]) begin
