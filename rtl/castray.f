@@ -100,6 +100,7 @@ rtl/axi/axi_lite_regs.sv
 rtl/axi/axi_reader.sv
 rtl/axi/axi_writer.sv
 rtl/axi/axi_ports.sv
+rtl/control/clock_wake.sv
 rtl/control/counters.sv
 rtl/control/lane_sums.sv
 rtl/control/job_control.sv

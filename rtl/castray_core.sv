@@ -130,9 +130,10 @@ module castray_core
   logic [Ports-1:0]        line_valid, line_ready, line_rsp_valid, read_beat, l2_hit, l2_miss;
   read_req_t               line_read [Ports];
   read_rsp_t               line_rsp [Ports];
-  logic [WriteClients-1:0] write_valid, write_ready;
+  logic [WriteClients-1:0] write_valid, write_ready, write_wait;
   write_req_t              write_req [WriteClients];
   logic                    write_beat;
+  assign write_wait = write_valid & ~write_ready;
 
   axi_ports #(.Ports(Ports)) u_axi_ports (
     .clk_i, .rst_ni,
@@ -191,7 +192,8 @@ module castray_core
 
   // ---- Camera ----
   logic         tile_valid, tile_ready, none_in_setup, exhausted, ray_valid, ray_ready, miss_valid, miss_ready;
-  logic         back_valid, back_ready, deal_valid, store_valid, store_second, tile_node, tile_hit, tile_miss;
+  logic         back_valid, back_ready, deal_valid, store_valid, store_second;
+  logic         tile_node, tile_busy, tile_hit, tile_miss;
   logic [7:0]   back_slot, store_slot, tile_slot;
   tile_t        tile;
   ray_t         ray;
@@ -231,13 +233,13 @@ module castray_core
     .store_node_o(store_node),
     .req_valid_o(cache_valid[Caches-1]), .req_ready_i(cache_ready[Caches-1]), .req_o(cache_req[Caches-1]),
     .fill_line_valid_i(fill_valid[Caches-1]), .fill_line_ready_o(fill_ready[Caches-1]), .fill_line_i(fill),
-    .node_o(tile_node), .node_hit_o(tile_hit), .node_miss_o(tile_miss)
+    .node_o(tile_node), .node_busy_o(tile_busy), .node_hit_o(tile_hit), .node_miss_o(tile_miss)
   );
 
   // ---- Hits ----
-  logic [Lanes-1:0] ray_event, hit_event;
+  logic [Lanes-1:0] ray_event, hit_event, starved, hit_wait;
   lane_events_t     lane_events [Lanes];
-  logic             batch_event, test_stall, fetch_stall, attr_hit, attr_miss;
+  logic             batch_event, test_stall, fetch_stall, attr_hit, attr_miss, hit_busy, shader_busy;
   logic             hit_valid, hit_ready, traversal_idle, coloured, shading_idle;
   cast_t            cast;
 
@@ -261,6 +263,7 @@ module castray_core
     .line_o(cache_req[0:2*Lanes-1]),
     .fill_valid_i(fill_valid[2*Lanes-1:0]), .fill_ready_o(fill_ready[2*Lanes-1:0]), .fill_i(fill),
     .events_o(lane_events), .ray_o(ray_event), .hit_o(hit_event),
+    .starved_o(starved), .hit_wait_o(hit_wait), .hit_busy_o(hit_busy),
     .batch_o(batch_event), .test_stall_o(test_stall), .fetch_stall_o(fetch_stall)
   );
   assign fault = (list_fault != ErrNone) ? list_fault : (source_fault != ErrNone) ? source_fault : lane_fault;
@@ -278,28 +281,19 @@ module castray_core
     .pixel_o(write_req[WritePixel]),
     .record_valid_o(write_valid[WriteHit]), .record_ready_i(write_ready[WriteHit]),
     .record_o(write_req[WriteHit]),
-    .coloured_o(coloured), .idle_o(shading_idle), .attr_hit_o(attr_hit), .attr_miss_o(attr_miss)
+    .coloured_o(coloured), .idle_o(shading_idle), .attr_hit_o(attr_hit), .attr_miss_o(attr_miss),
+    .shader_busy_o(shader_busy)
   );
   assign empty = traversal_idle && shading_idle;
 
-  // ---- Clocks of what rests by brute force: the caches always, camera and shading between the rays ----
-  localparam int unsigned Settle = 4095;   // more cycles than what is inside them takes to come to rest
-  logic camera_awake, shading_awake;
-  assign camera_awake  = !datapath_rst_n || !job.brute || walk_start || (tile_valid && tile_ready)
-                         || (list_valid && list_ready) || (ray_valid && ray_ready) || (miss_valid && miss_ready)
-                         || (back_valid && back_ready) || deal_valid;
-  assign shading_awake = !datapath_rst_n || !job.brute || (tile_valid && tile_ready)
-                         || (hit_valid && hit_ready) || (back_valid && back_ready)
-                         || (read_valid[ReadAttribute] && read_ready[ReadAttribute]) || rsp_valid[ReadAttribute]
-                         || (write_valid & write_ready) != '0;
-  clock_gate #(.Gated(GateClocks)) u_tree_clock (
-    .clk_i, .awake_i(!datapath_rst_n || !job.brute), .clk_o(tree_clk)
-  );
-  clock_gate #(.Gated(GateClocks), .Settle(Settle)) u_camera_clock (
-    .clk_i, .awake_i(camera_awake), .clk_o(camera_clk)
-  );
-  clock_gate #(.Gated(GateClocks), .Settle(Settle)) u_shading_clock (
-    .clk_i, .awake_i(shading_awake), .clk_o(shading_clk)
+  // ---- Clocks of what rests by brute force: what passes the border of ray_source, and of shading ----
+  clock_wake #(.GateClocks(GateClocks)) u_clock_wake (
+    .clk_i, .rst_ni(datapath_rst_n), .brute_i(job.brute),
+    .camera_valid_i({walk_start, tile_valid, list_valid, ray_valid, miss_valid, back_valid, deal_valid}),
+    .camera_ready_i({1'b1, tile_ready, list_ready, ray_ready, miss_ready, back_ready, 1'b1}),
+    .shading_valid_i({tile_valid, hit_valid, back_valid, read_valid[ReadAttribute], rsp_valid[ReadAttribute], write_valid}),
+    .shading_ready_i({tile_ready, hit_ready, back_ready, read_ready[ReadAttribute], 1'b1, write_ready}),
+    .tree_clk_o(tree_clk), .camera_clk_o(camera_clk), .shading_clk_o(shading_clk)
   );
 
   // ---- Counters ----
@@ -332,6 +326,12 @@ module castray_core
   assign events[CntTileHits]    = EventBits'(tile_hit);
   assign events[CntTileMisses]  = EventBits'(tile_miss);
   assign events[CntEmptyTiles]  = EventBits'(back_valid && back_ready);
+  assign events[CntHitUnitBusy] = EventBits'(hit_busy);
+  assign events[CntShaderBusy]  = EventBits'(shader_busy);
+  assign events[CntTileBusy]    = EventBits'(tile_busy);
+  assign events[CntStarved]     = EventBits'(starved);
+  assign events[CntHitWaits]    = EventBits'(hit_wait);
+  assign events[CntWriteWaits]  = EventBits'(write_wait);
 
   counters u_counters (.clk_i, .rst_ni, .clear_i(start), .events_i(events), .counts_o(counts));
 endmodule

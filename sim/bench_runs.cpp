@@ -69,8 +69,8 @@ void add_counters(Json& record, const Counts& counts, double rays, const Core& c
   busy["node_pipe"] = count("nodes") / cycles / core.lanes;
   busy["primitive_pipe"] = count("tests") / cycles / core.lanes;
   busy["divider"] = count("candidates") / cycles;   // one hit unit for all lanes
-  busy["tile_start"] = 4 * count("tile_nodes") / cycles;             // four cycles a node
-  busy["shading"] = 2 * count("hits") / cycles;                      // two cycles a hit
+  busy["tile_start"] = count("tile_busy") / cycles;
+  busy["shading"] = count("shader_busy") / cycles;
   busy["read_ports"] = count("read_beats") / cycles / core.ports;
   busy["write_port"] = count("write_beats") / cycles;
   Json& rates = record["hit_rate"];

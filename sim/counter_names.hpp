@@ -22,6 +22,9 @@ inline constexpr std::array<std::pair<std::int64_t, const char*>, Counters> kCou
     {CntL2Hits, "l2_hits"},          {CntL2Misses, "l2_misses"},
     {CntTileNodes, "tile_nodes"},    {CntTileHits, "tile_hits"},
     {CntTileMisses, "tile_misses"},  {CntEmptyTiles, "empty_tiles"},
+    {CntHitUnitBusy, "hit_unit_busy"}, {CntShaderBusy, "shader_busy"},
+    {CntTileBusy, "tile_busy"},      {CntStarved, "starved"},
+    {CntHitWaits, "hit_waits"},      {CntWriteWaits, "write_waits"},
 }};
 
 }  // namespace castray::sim

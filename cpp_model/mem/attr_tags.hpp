@@ -11,7 +11,7 @@ namespace castray {
 // Two ways, least recently used.
 class AttrTags {
  public:
-  explicit AttrTags(int entries = 128) : sets_(entries / 2) {}
+  explicit AttrTags(int entries = DefaultAttrEntries) : sets_(entries / 2) {}
 
   // Looks a primitive up, and keeps it from now on. True: it was there.
   bool access(prim_t number) {

@@ -10,8 +10,6 @@
 
 namespace castray {
 
-inline constexpr int kTileNodes = 64;   // read for a tile, at most
-
 struct Frontier {
   bool at_root = false;        // the tile's rays start at the root
   std::vector<part_t> parts;   // else there
@@ -31,7 +29,7 @@ Frontier frontier(const tile_bounds_t& bounds, const point_t& eye, const ref_t& 
   std::deque<part_t> waiting(1);
   waiting[0].target = root;
   while (!waiting.empty() && out.error == ErrNone) {
-    if (out.nodes == kTileNodes) {
+    if (out.nodes == TileReads) {
       out.at_root = true;
       break;
     }

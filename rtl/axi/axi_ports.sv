@@ -9,7 +9,7 @@ module axi_ports
   import castray_pkg::*;
 #(
   parameter int unsigned Ports     = DefaultPorts,
-  parameter int unsigned MaxReads  = 48,  // bursts outstanding on each port
+  parameter int unsigned MaxReads  = DefaultL2Misses + DefaultAttrMisses + DefaultRayBursts,   // bursts outstanding on each port
   parameter int unsigned MaxWrites = 48   // of two beats: more than memory takes to answer
 ) (
   input  logic                    clk_i,
@@ -75,6 +75,9 @@ module axi_ports
 );
   if (Ports < 1 || Ports > 2) begin : g_check
     $error("axi_ports: Ports must be 1 or 2");
+  end
+  if (MaxReads < DefaultL2Misses + DefaultAttrMisses + DefaultRayBursts) begin : g_reads
+    $error("axi_ports: MaxReads is less than what lines, attributes and rays ask for at once");
   end
 
   // A client's port.

@@ -33,7 +33,7 @@ module ray_setup
     logic  minus1;
     logic  valid;
   } side_t;
-  localparam int unsigned KeptRays = 64;   // more than there are stages
+  localparam int unsigned KeptRays = 64;   // at least as many as the stages hold
   typedef logic [ShearFrac:0]     quotient_t;
   typedef logic [2*ShearFrac+1:0] square_t;
 
@@ -151,4 +151,10 @@ module ray_setup
 
   logic unused_twin;    // the divisions move in step
   assign unused_twin = twin_ready ^ twin_valid ^ twin_tag ^ axis_tag;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (kept_ready || !first_ready) else $error("the queue beside the stages is shorter than they are");
+  end
+`endif
 endmodule

@@ -78,6 +78,7 @@ module ray_source
   input  line_fill_t       fill_line_i,
 
   output logic             node_o,         // counter events
+  output logic             node_busy_o,    // one is split
   output logic             node_hit_o,
   output logic             node_miss_o
 );
@@ -107,7 +108,7 @@ module ray_source
     .store_valid_o, .store_slot_o, .store_second_o, .store_node_o,
     .req_valid_o, .req_ready_i, .req_o,
     .fill_valid_i(fill_line_valid_i), .fill_ready_o(fill_line_ready_o), .fill_i(fill_line_i),
-    .node_o, .hit_o(node_hit_o), .miss_o(node_miss_o)
+    .node_o, .busy_o(node_busy_o), .hit_o(node_hit_o), .miss_o(node_miss_o)
   );
 
   tile_deal #(.Lanes(Lanes), .TileLog2(TileLog2)) u_tile_deal (
@@ -145,7 +146,7 @@ module ray_source
   assign ray_px_ready = camera_ready && flag_ready && !corner_valid;
   assign issued       = camera_valid && camera_ready;
 
-  localparam int unsigned SetupRays = 64;   // more than the stages of ray_gen and ray_setup
+  localparam int unsigned SetupRays = 64;   // at least what ray_gen and ray_setup hold
   stream_fifo #(.data_t(logic), .Depth(SetupRays)) u_flags (
     .clk_i, .rst_ni, .used_o(),
     .valid_i(issued), .ready_o(flag_ready), .data_i(corner_valid),
@@ -188,4 +189,10 @@ module ray_source
     .available_o(), .idle_o(none_in_setup_o)
   );
   assign exhausted_o = walk_done_o && none_in_setup_o;
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (flag_ready || !camera_ready) else $error("ray_gen and ray_setup hold more than SetupRays");
+  end
+`endif
 endmodule

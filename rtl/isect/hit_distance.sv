@@ -13,7 +13,7 @@
 module hit_distance
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
-  parameter int unsigned PlaceW = 6
+  parameter int unsigned PlaceW = HitPlaceW
 ) (
   input  logic              clk_i,
   input  logic              rst_ni,
@@ -57,16 +57,19 @@ module hit_distance
     bary_t u;
     bary_t v;
   } where_t;
-  localparam int unsigned WaitCycles = 6;   // of u and v
+  localparam int unsigned WaitCycles = 6;   // of u and v: until the last stage but one
   typedef logic [2:0] turn_t;
+  if (WaitCycles >= 1 << $bits(turn_t)) begin : g_check
+    $error("hit_distance: the places of u and v are fewer than the cycles that they wait");
+  end
 
   base_t  base_q [1 << PlaceW];
   kept_t  kept_q [1 << PlaceW];
   where_t where_q [1 << $bits(turn_t)];
 
   // Stage k holds a candidate, and which one.
-  logic [6:1] valid_q;
-  place_t     place_q [6:1];
+  logic [WaitCycles:1] valid_q;
+  place_t     place_q [WaitCycles:1];
   turn_t      turn_q;   // the place of u and v is that of the cycle
 
   always_ff @(posedge clk_i) begin
@@ -74,13 +77,13 @@ module hit_distance
       valid_q <= '0;
       turn_q  <= '0;
     end else begin
-      valid_q <= {valid_q[5:1], q_valid_i};
+      valid_q <= {valid_q[WaitCycles-1:1], q_valid_i};
       turn_q  <= turn_q + 1'b1;
     end
   end
   always_ff @(posedge clk_i) begin
     if (q_valid_i) place_q[1] <= q_place_i;
-    for (int unsigned i = 2; i <= 6; i++) if (valid_q[i-1]) place_q[i] <= place_q[i-1];
+    for (int unsigned i = 2; i <= WaitCycles; i++) if (valid_q[i-1]) place_q[i] <= place_q[i-1];
   end
   always_ff @(posedge clk_i) begin
     if (put_i) begin
@@ -104,10 +107,10 @@ module hit_distance
 
   // The only place where precision is lost: a triangle's sum, to the last bit of a distance. The bits that
   // are dropped are the first function's, the half that decides is added by the second.
-  function automatic wide_t sixteenths(logic signed [54:0] sum);
+  function automatic wide_t sixteenths(mul_sum_t sum);
     return wide_t'(sum >>> (BaryFrac - TFrac));
   endfunction
-  function automatic logic half_up(logic signed [54:0] sum);
+  function automatic logic half_up(mul_sum_t sum);
     return sum[BaryFrac-TFrac-1];
   endfunction
   // Cz and what is added to it or, for a sphere ahead of a ray that goes back, subtracted.
@@ -127,7 +130,7 @@ module hit_distance
 
   base_t              base3, base4_q;
   logic               kind5_q, neg5_q, kind6_q;
-  logic signed [54:0] sum4_q;
+  mul_sum_t           sum4_q;
   part_t              part4_q;
   wide_t              z0_q, z1_q;
   t_t                 t0_q, t1_q;
@@ -136,7 +139,7 @@ module hit_distance
   always_ff @(posedge clk_i) begin
     if (valid_q[3]) begin
       base4_q <= base3;
-      sum4_q  <= 55'(p0) + ((base3.kind == KindSphere) ? '0 : 55'(p1));
+      sum4_q  <= mul_sum_t'(p0) + ((base3.kind == KindSphere) ? '0 : mul_sum_t'(p1));
       part4_q <= part_t'(p1);
     end
     if (valid_q[4]) begin
@@ -162,7 +165,7 @@ module hit_distance
   kept_t  kept;
   where_t uv;
   logic   sphere6, first, second;
-  assign kept    = kept_q[place_q[6]];
+  assign kept    = kept_q[place_q[WaitCycles]];
   assign uv      = where_q[turn_q - turn_t'(WaitCycles)];
   assign sphere6 = kind6_q == KindSphere;
   assign first   = beyond(t0_q, kept.tmin);
@@ -173,12 +176,12 @@ module hit_distance
       done_o      <= 1'b0;
       out_valid_o <= 1'b0;
     end else begin
-      done_o      <= valid_q[6];
-      out_valid_o <= valid_q[6] && (first || second);
+      done_o      <= valid_q[WaitCycles];
+      out_valid_o <= valid_q[WaitCycles] && (first || second);
     end
   end
   always_ff @(posedge clk_i) begin
-    if (valid_q[6]) begin
+    if (valid_q[WaitCycles]) begin
       out_lane_o   <= kept.lane;
       out_o.ctx    <= kept.ctx;
       out_o.number <= kept.number;

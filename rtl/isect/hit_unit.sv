@@ -34,7 +34,7 @@ module hit_unit
   localparam int unsigned RootCycles = (CoordW + 2) / 2;
   // A candidate's place in the tail's memories is the cycle in which it enters: there are more places than
   // cycles that any is inside, a sphere's root, three cycles to the divider, and seven behind it.
-  localparam int unsigned PlaceW = 6;
+  localparam int unsigned PlaceW = HitPlaceW;
   if (RootCycles + 3 + DivCycles + 7 >= 1 << PlaceW) begin : g_check
     $error("hit_unit: a candidate is inside for more cycles than there are places");
   end
@@ -166,4 +166,14 @@ module hit_unit
     .q_valid_i(q_valid), .q_place_i(q_place), .q0_i(q0), .q1_i(q1), .scale0_i(scales.scale0), .scale1_i(scales.scale1),
     .done_o(retire_o), .out_valid_o, .out_o, .out_lane_o
   );
+
+`ifndef SYNTHESIS
+  // The scales that are read belong to the quotients.
+  place_t scaled_q [1 << DivPlaceW];
+  always_ff @(posedge clk_i) begin
+    if (valid3_q) scaled_q[div_place] <= place3_q;
+    if (rst_ni && q_valid)
+      assert (scaled_q[div_place - div_place_t'(DivCycles)] == q_place) else $error("div_pipe does not take DivCycles");
+  end
+`endif
 endmodule

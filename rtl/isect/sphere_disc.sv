@@ -36,15 +36,14 @@ module sphere_disc
 
   mul27 u_ysy (.clk_i, .en_i(en_i[2:0]), .a_i(mul27_t'(y_i)), .b_i(mul27_t'(sy_i)), .p_o(p_ysy));
 
-  // Sums of two products have 55 bits.
   function automatic sheared_t round_z(mul54_t p, mul54_t q);
-    logic signed [54:0] sum;
-    sum = 55'(p) - 55'(q) + (55'sd1 <<< (ShearFrac - 1));
+    mul_sum_t sum;
+    sum = mul_sum_t'(p) - mul_sum_t'(q) + (mul_sum_t'(1) <<< (ShearFrac - 1));
     return sheared_t'(sum >>> ShearFrac);
   endfunction
   function automatic towards_t round_towards(mul54_t p, mul54_t q);
-    logic signed [54:0] sum;
-    sum = 55'(p) + 55'(q) + (55'sd1 <<< (ShearFrac - 4));
+    mul_sum_t sum;
+    sum = mul_sum_t'(p) + mul_sum_t'(q) + (mul_sum_t'(1) <<< (ShearFrac - 4));
     return towards_t'(sum >>> (ShearFrac - 3));
   endfunction
 

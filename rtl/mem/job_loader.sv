@@ -89,11 +89,12 @@ module job_loader
   end
 
   // ---- The checks ----
+  typedef logic [32+$clog2(AttrBytes):0] bytes_t;   // an offset of 32 bits and, behind it, 2^32 records
   function automatic logic section_bad(section_t section, int unsigned record_bytes);
-    logic [38:0] finish;
-    finish = 39'(section.offset) + (39'(section.count) << $clog2(record_bytes));
+    bytes_t finish;
+    finish = bytes_t'(section.offset) + (bytes_t'(section.count) << $clog2(record_bytes));
     return section.count != '0 && (section.offset % ImageAlign != '0 || section.offset == '0 ||
-                                   finish > 39'(header_q.image_bytes));
+                                   finish > bytes_t'(header_q.image_bytes));
   endfunction
 
   function automatic logic root_bad(logic [31:0] root);
@@ -112,8 +113,8 @@ module job_loader
   endfunction
 
   function automatic error_t check_list();
-    if (38'(job_i.ray_count) * RayBytes > 38'(job_i.ray_bytes)) return ErrRayWindow;
-    return (38'(job_i.ray_count) * HitBytes > 38'(job_i.hits_bytes)) ? ErrHitWindow : ErrNone;
+    if (bytes_t'(job_i.ray_count) * RayBytes > bytes_t'(job_i.ray_bytes)) return ErrRayWindow;
+    return (bytes_t'(job_i.ray_count) * HitBytes > bytes_t'(job_i.hits_bytes)) ? ErrHitWindow : ErrNone;
   endfunction
 
   function automatic error_t check_step(logic [3:0] step);

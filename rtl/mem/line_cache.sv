@@ -19,12 +19,12 @@
 // One lookup a cycle. A hit takes 3 cycles from in to out; a line is offered 4 cycles after it came.
 // After a reset nothing is taken for as many cycles as there are sets: the tags are emptied.
 module line_cache
-  import castray_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*;
 #(
   parameter type         id_t   = ctx_t,
-  parameter int unsigned Lines  = 512,
-  parameter int unsigned Ways   = 2,
-  parameter int unsigned Misses = 16,
+  parameter int unsigned Lines  = DefaultCacheLines,
+  parameter int unsigned Ways   = DefaultCacheWays,
+  parameter int unsigned Misses = DefaultCacheMisses,
   parameter int unsigned Skip   = 0,   // lowest bits of a number that all lines of this cache share
   parameter int unsigned Kept   = 0,   // kept lines
   parameter int unsigned ReadW  = $bits(line_data_t),   // the lowest bits of a line, which are read

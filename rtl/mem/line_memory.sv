@@ -11,14 +11,14 @@
 // base_i is the address of line 0, an image's start, and stands still while a line is under way.
 // A line of the second cache is offered to its client 4 cycles after the request was offered.
 module line_memory
-  import castray_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Clients = 2,
   parameter int unsigned Ports   = 1,
-  parameter int unsigned L2Lines = 2048,
-  parameter int unsigned L2Ways  = 4,
-  parameter int unsigned Misses  = 24,    // lines under way for each port
-  parameter int unsigned ClientMisses = 16   // numbers that a client gives its lines
+  parameter int unsigned L2Lines = DefaultL2Kbytes * 1024 / LineBytes,
+  parameter int unsigned L2Ways  = DefaultL2Ways,
+  parameter int unsigned Misses  = DefaultL2Misses,   // lines under way for each port
+  parameter int unsigned ClientMisses = DefaultCacheMisses   // numbers that a client gives its lines
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,

@@ -8,10 +8,10 @@
 // The last to come is the first in a chain. Whoever waits in a chain is not added before it was
 // served. A line is not looked up in the cycle in which it ends.
 module line_misses
-  import castray_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*;
 #(
   parameter type         id_t   = ctx_t,
-  parameter int unsigned Misses = 16
+  parameter int unsigned Misses = DefaultCacheMisses
 ) (
   input  logic     clk_i,
   input  logic     rst_ni,

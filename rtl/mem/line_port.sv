@@ -5,9 +5,9 @@
 // given, which is for the user to keep.
 // A request is passed on in its own cycle; a line is offered the cycle after its last beat.
 module line_port
-  import castray_pkg::*, castray_image_pkg::*;
+  import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
-  parameter int unsigned Lines = 24
+  parameter int unsigned Lines = DefaultL2Misses
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,

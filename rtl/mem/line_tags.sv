@@ -8,10 +8,12 @@
 // A set is not looked at in the cycle in which it is filled. A use in the cycle of a fill does not
 // turn the forks.
 // After a reset the sets are emptied, one a cycle; only then ready_o, and a look or a fill.
-module line_tags #(
-  parameter int unsigned Sets = 256,
-  parameter int unsigned Ways = 2,
-  parameter int unsigned TagW = 18,
+module line_tags
+  import castray_cfg_pkg::*, castray_pkg::*;
+#(
+  parameter int unsigned Sets = DefaultCacheLines / DefaultCacheWays,
+  parameter int unsigned Ways = DefaultCacheWays,
+  parameter int unsigned TagW = LineNoW - $clog2(Sets),
   localparam int unsigned SetW = $clog2(Sets),
   localparam int unsigned WayW = $clog2(Ways)
 ) (

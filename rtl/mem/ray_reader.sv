@@ -11,10 +11,12 @@
 // One ray every four cycles while the memory keeps up; 8 bursts under way cover 128 cycles of latency.
 // Model: cpp_model/mem/ray_request.hpp, for each record.
 module ray_reader
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned Depth = 32
+  localparam int unsigned BurstRays = 4,
+  parameter int unsigned Depth = BurstRays * DefaultRayBursts
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,
@@ -35,7 +37,6 @@ module ray_reader
   input  logic       out_ready_i,
   output ray_req_t   out_o
 );
-  localparam int unsigned BurstRays = 4;
   localparam int unsigned Beats     = RayBytes / StrbW;   // of a record
   localparam int unsigned FreeW     = $clog2(Depth + 1);
   typedef logic [FreeW-1:0] free_t;

@@ -80,12 +80,13 @@ module tile_rows
   end
 
   // ---- Address ----
-  logic [37:0] product_q;
+  typedef logic [PixelW+31-StrideLog2:0] product_t;   // a row's number times its stride
+  product_t    product_q;
   addr_t       addr_q;
   logic [3:0]  row_q;
   logic [63:0] strb_q;
-  function automatic logic [37:0] mul_row(pixel_t y, logic [31:StrideLog2] stride);
-    return 38'(y) * 38'(stride);
+  function automatic product_t mul_row(pixel_t y, logic [31:StrideLog2] stride);
+    return product_t'(y) * product_t'(stride);
   endfunction
   always_ff @(posedge clk_i) begin
     if (state_q == Idle && tile_valid_i) begin

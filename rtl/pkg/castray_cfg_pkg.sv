@@ -86,7 +86,16 @@ package castray_cfg_pkg;
   localparam int unsigned DefaultPorts       = 2;    // of memory, 128 bits each: 1 or 2
   localparam int unsigned DefaultL2Kbytes    = 128;  // of the cache that all lanes share; 0: none
   localparam int unsigned DefaultAttrEntries = 128;  // places of the attribute cache
-  localparam int unsigned DefaultAttrMisses  = 16;   // its lines outstanding
+
+  // ---- The sizes of its caches that are no parameters of it ----
+  localparam int unsigned DefaultCacheLines  = 512;  // of nodes in each lane, and of leaves
+  localparam int unsigned DefaultStartLines  = 128;  // of nodes to start tiles
+  localparam int unsigned DefaultCacheWays   = 2;
+  localparam int unsigned DefaultCacheMisses = 16;   // lines that one waits for
+  localparam int unsigned DefaultL2Ways      = 4;
+  localparam int unsigned DefaultL2Misses    = 24;   // lines that each port's bank waits for
+  localparam int unsigned DefaultAttrMisses  = 16;   // lines that the attribute cache waits for
+  localparam int unsigned DefaultRayBursts   = 8;    // bursts of a list's rays under way
 
   // Rays that wait before a lane: one tile's, and enough to bridge the setup of the next.
   function automatic int unsigned ray_queue(int unsigned tile_log2);
@@ -101,5 +110,10 @@ package castray_cfg_pkg;
   function automatic int unsigned tile_slots(int unsigned lanes, int unsigned contexts, int unsigned tile_log2);
     return ((lanes * (contexts + ray_queue(tile_log2)) - 1) >> (2 * tile_log2)) + 1 + lanes + StartTiles
            + DealTiles + WriteTiles;
+  endfunction
+
+  // Nodes of their frontiers that a lane keeps: two for each slot.
+  function automatic int unsigned tile_nodes(int unsigned slots);
+    return 2 << $clog2(slots);
   endfunction
 endpackage

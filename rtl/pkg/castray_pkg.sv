@@ -22,6 +22,7 @@ package castray_pkg;
   typedef logic signed [TexInt+UnitFrac-1:0] tex_t;      // Q11.16, texture coordinate
   typedef logic signed [DspAW-1:0]         mul27_t;    // operand and product of mul27
   typedef logic signed [2*DspAW-1:0]       mul54_t;
+  typedef logic signed [2*DspAW:0]         mul_sum_t;  // of two products
   typedef logic signed [63:0]              mul_part_t; // of a product, see mul27_parts
   typedef logic [PrimW-1:0]                prim_t;
   typedef logic [CtxW-1:0]                 ctx_t;
@@ -201,6 +202,7 @@ package castray_pkg;
     ref_t target;
   } part_t;
   localparam int unsigned TileParts = 8;   // of a tile's frontier, at most: two nodes
+  localparam int unsigned TileReads = 64;  // nodes read for it, at most
 
   // How a tile's rays start: nowhere, at the root, or at its frontier of one node or two.
   localparam logic [1:0] TileEmpty = 2'd0;
@@ -265,6 +267,9 @@ package castray_pkg;
     bary_t u;
     bary_t v;
   } result_t;
+
+  // Bits of a candidate's place in the hit unit, which checks that they are enough: it holds fewer than 2^HitPlaceW.
+  localparam int unsigned HitPlaceW = 6;
 
   // The nearest hit of a ray, with what shading needs of the ray.
   typedef struct packed {

@@ -61,7 +61,13 @@ package castray_reg_pkg;
   localparam int unsigned CntTileHits     = 23;  // their cache
   localparam int unsigned CntTileMisses   = 24;
   localparam int unsigned CntEmptyTiles   = 25;  // tiles filled with background
-  localparam int unsigned Counters        = 26;
+  localparam int unsigned CntHitUnitBusy  = 26;  // cycles with a test at the hit unit's entrance
+  localparam int unsigned CntShaderBusy   = 27;  // in which the shader normalised a vector
+  localparam int unsigned CntTileBusy     = 28;  // in which a node was split to start a tile
+  localparam int unsigned CntStarved      = 29;  // cycles, over the lanes, in which one had room for a ray and none came
+  localparam int unsigned CntHitWaits     = 30;  // or a hit waited to leave
+  localparam int unsigned CntWriteWaits   = 31;  // cycles, over pixels and records, in which a burst waited for the port
+  localparam int unsigned Counters        = 32;  // as many as the addresses have room for
   localparam int unsigned EventBits       = 8;   // events of one counter in a cycle: one a lane
 
   // Bits of RegControl.

@@ -33,7 +33,7 @@ module normalise
   output unit3_t out_o,
   output tag_t   out_tag_o
 );
-  // At least the vectors that s4, s5, cordic_sqrt and div_pipe hold, 26: so it is never full.
+  // At least the vectors that s4, s5, cordic_sqrt and div_pipe hold: so it is never full.
   localparam int unsigned QueueDepth = 32;
   if (SpanW != 29 || UnitFrac != 16 || RootRadW != 26 || RootFrac != 5) begin : g_check
     $error("normalise: made for SpanW 29, UnitFrac 16, RootRadW 26 and RootFrac 5");
@@ -142,9 +142,10 @@ module normalise
 
   // ---- The scaled vector waits here ----
   waiting_t waiting;
+  logic     queue_ready;
   stream_fifo #(.data_t(waiting_t), .Depth(QueueDepth)) u_waiting (
     .clk_i, .rst_ni,
-    .valid_i(load[3]), .ready_o(), .data_i('{v: '{x: x3_q, y: y3_q, z: z3_q}, tag: tag3_q}),
+    .valid_i(load[3]), .ready_o(queue_ready), .data_i('{v: '{x: x3_q, y: y3_q, z: z3_q}, tag: tag3_q}),
     .valid_o(), .ready_i(inverse_valid && inverse_ready), .data_o(waiting), .used_o()
   );
 
@@ -196,4 +197,10 @@ module normalise
       out_tag_o <= tag7_q;
     end
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && load[3]) assert (queue_ready) else $error("a vector has no place in the queue beside its root");
+  end
+`endif
 endmodule

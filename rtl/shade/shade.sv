@@ -29,11 +29,12 @@ module shade
 
   output logic       out_valid_o,
   input  logic       out_ready_i,
-  output shaded_t    out_o
+  output shaded_t    out_o,
+  output logic       busy_o     // the normaliser takes a vector: counter event
 );
   width_check u_widths ();
-  localparam int unsigned RaysDepth   = 8;    // hits in interpolate and sphere_normal
-  localparam int unsigned PaintsDepth = 32;   // hits in normalise
+  localparam int unsigned RaysDepth   = 8;    // enough for a hit every two cycles through interpolate or sphere_normal
+  localparam int unsigned PaintsDepth = 32;   // at least what normalise holds
 
   typedef struct packed {
     pixel_tag_t tag;
@@ -102,6 +103,7 @@ module shade
   assign normal_valid = rays_valid && (ray.kind == KindSphere ? sphere_valid : tri_valid);
   assign vector_valid = second_q ? normal_valid && paints_ready : rays_valid;
   assign vector_taken = vector_valid && vector_ready;
+  assign busy_o       = vector_taken;
   assign rays_taken   = vector_taken && second_q;
   assign tri_taken    = rays_taken && ray.kind != KindSphere;
   assign sphere_taken   = rays_taken && ray.kind == KindSphere;
@@ -148,4 +150,10 @@ module shade
             normal: unit, view: view_q}),
     .out_valid_o, .out_ready_i, .out_o
   );
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (paints_ready || !vector_ready) else $error("normalise holds more hits than PaintsDepth");
+  end
+`endif
 endmodule

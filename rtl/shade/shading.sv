@@ -59,7 +59,8 @@ module shading
   output logic          coloured_o,     // each hit that came has its colour in a tile
   output logic          idle_o,         // and each tile and record has been given to the writer
   output logic          attr_hit_o,     // counter events
-  output logic          attr_miss_o
+  output logic          attr_miss_o,
+  output logic          shader_busy_o
 );
   // ---- In ----
   logic hit_valid, hit_ready, written_valid, written_ready, colour_valid, colour_ready;
@@ -124,7 +125,7 @@ module shading
   shade u_shade (
     .clk_i, .rst_ni, .eye_i, .paint_i(paint),
     .in_valid_i(attr_valid), .in_ready_o(attr_ready), .in_i(shade_req),
-    .out_valid_o(lit_valid), .out_ready_i(lit_ready), .out_o(lit)
+    .out_valid_o(lit_valid), .out_ready_i(lit_ready), .out_o(lit), .busy_o(shader_busy_o)
   );
 
   background u_background (

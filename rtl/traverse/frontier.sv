@@ -13,11 +13,11 @@
 // Tiles are finished in any order and leave in theirs. part_o is the part part_i of the tile offered.
 // Model: cpp_model/traverse/frontier.hpp, equal bit for bit.
 module frontier
+  import castray_cfg_pkg::*;
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned Tiles    = 4,    // a power of two
-  parameter int unsigned MaxNodes = 64    // read for a tile
+  parameter int unsigned Tiles = StartTiles   // a power of two
 ) (
   input  logic         clk_i,
   input  logic         rst_ni,
@@ -53,8 +53,12 @@ module frontier
 
   localparam int unsigned IdxW   = $clog2(Tiles);
   localparam int unsigned Places = 16;   // of a list: eight, and four that do not count yet
-  localparam int unsigned ReadW  = $clog2(MaxNodes + 1);
-  localparam int unsigned Stages = 4;    // of tile_box
+  localparam int unsigned ReadW  = $clog2(TileReads + 1);
+  localparam int unsigned Stages = 4;    // of tile_box, which refuses another number
+  localparam int unsigned Ring   = 8;    // children there are places for, a cycle each: a power of two
+  if (Ring <= Stages) begin : g_ring
+    $error("frontier: a child's place is given away before the child comes out of tile_box");
+  end
   typedef logic [IdxW-1:0] tile_no_t;
   typedef logic [3:0]      count_t;
 
@@ -121,10 +125,11 @@ module frontier
     logic     last;
   } step_t;
   logic       box_valid, meets;
-  step_t      side_q [8];
-  logic [2:0] place_q;
-  part_t      parts_q [8];      // a ring, longer than the pipe
-  tile_box u_tile_box (
+  typedef logic [$clog2(Ring)-1:0] place_t;
+  step_t      side_q [Ring];
+  place_t     place_q;
+  part_t      parts_q [Ring];
+  tile_box #(.Stages(Stages)) u_tile_box (
     .clk_i, .rst_ni, .in_valid_i(node_valid_i), .bounds_i(bounds_q[node_tile]), .eye_i,
     .box_i(part.box), .out_valid_o(box_valid), .meets_o(meets)
   );
@@ -151,8 +156,8 @@ module frontier
   line_t    look;
   count_t   new_kept_q, new_waiting_q, new_kept, new_waiting, kept, waiting, first;
   logic     is_met, keeps, waits, judge, decide_q, too_many;
-  assign side        = side_q[place_q - 3'(Stages)];
-  assign met         = parts_q[place_q - 3'(Stages)];
+  assign side        = side_q[place_q - place_t'(Stages)];
+  assign met         = parts_q[place_q - place_t'(Stages)];
   assign tile        = side.tile;
   assign kept        = kept_count_q[tile];
   assign waiting     = waiting_count_q[tile];
@@ -182,7 +187,7 @@ module frontier
 
   assign look     = waiting_q[{judged_q, first_q[judged_q]}].target.index;
   assign spent    = waiting_count_q[judged_q] != '0;
-  assign ask_next = decide_q && spent && reads_q[judged_q] != ReadW'(MaxNodes);
+  assign ask_next = decide_q && spent && reads_q[judged_q] != ReadW'(TileReads);
   assign finish   = decide_q && !ask_next;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) decide_q <= 1'b0;

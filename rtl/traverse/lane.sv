@@ -18,9 +18,9 @@ module lane
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned NodeLines = 512,   // of the caches
-  parameter int unsigned LeafLines = 512,
-  parameter int unsigned TileNodes = 32,    // nodes of tiles' frontiers
+  parameter int unsigned NodeLines = DefaultCacheLines,   // of the caches
+  parameter int unsigned LeafLines = DefaultCacheLines,
+  parameter int unsigned TileNodes = tile_nodes(tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)),   // nodes of tiles' frontiers
   parameter bit          GateClocks = 1'b0,
   localparam int unsigned TileW    = $clog2(TileNodes)
 ) (

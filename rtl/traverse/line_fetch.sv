@@ -8,7 +8,7 @@ module line_fetch
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
   parameter int unsigned Contexts = DefaultContexts,
-  parameter int unsigned Lines    = 512,      // of the cache
+  parameter int unsigned Lines    = DefaultCacheLines,   // of the cache
   parameter error_t      Fault    = ErrNode,
   parameter int unsigned Kept     = 0,        // lines kept
   parameter int unsigned ReadW    = $bits(line_data_t),   // the lowest bits of a line, which are read

@@ -12,8 +12,8 @@ module node_visits
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned Lines     = 512,   // of the cache
-  parameter int unsigned TileNodes = 32,
+  parameter int unsigned Lines     = DefaultCacheLines,   // of the cache
+  parameter int unsigned TileNodes = tile_nodes(tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)),
   localparam int unsigned TileW    = $clog2(TileNodes)
 ) (
   input  logic             clk_i,

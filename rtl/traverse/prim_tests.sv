@@ -79,7 +79,7 @@ module prim_tests
     .take_i(test_valid_i), .give_i({queue_pop, miss}),
     .available_o(test_ready_o), .idle_o(tests_idle)
   );
-  credit #(.Limit(63)) u_hits (   // in the hit unit: no more than its places
+  credit #(.Limit((1 << HitPlaceW) - 1)) u_hits (   // in the hit unit: no more than its places
     .clk_i, .rst_ni, .take_i(queue_pop), .give_i(hit_over_i), .available_o(), .idle_o(hits_idle)
   );
 
@@ -110,4 +110,10 @@ module prim_tests
       tests_q[test_ctx] <= (none_q[test_ctx] ? '0 : tests_q[test_ctx]) + 1'b1;
     end
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni) assert (test_ready_o || cand_valid_o) else $error("ray_prim alone holds as many tests as the queue");
+  end
+`endif
 endmodule

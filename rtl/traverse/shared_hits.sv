@@ -17,7 +17,8 @@ module shared_hits
 
   output logic [Lanes-1:0] over_o,
   output logic [Lanes-1:0] result_valid_o,
-  output result_t          result_o
+  output result_t          result_o,
+  output logic             busy_o      // a candidate is at the hit unit: counter event
 );
   localparam int unsigned IdxW = (Lanes > 1) ? $clog2(Lanes) : 1;
   typedef struct packed {
@@ -30,6 +31,7 @@ module shared_hits
   logic [IdxW-1:0] lane;
   lane_no_t        out_lane;
 
+  assign busy_o = head_valid;
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
     assign offer[i]          = '{ray: ray_i[i], cand: cand_i[i]};
     assign over_o[i]         = over && out_lane == lane_no_t'(i);

@@ -10,7 +10,9 @@
 module tile_box
   import castray_cfg_pkg::*;
   import castray_pkg::*;
-(
+#(
+  parameter int unsigned Stages = 4   // what its user counts on: no other number is legal
+) (
   input  logic         clk_i,
   input  logic         rst_ni,
 
@@ -22,12 +24,15 @@ module tile_box
   output logic         out_valid_o,
   output logic         meets_o
 );
+  if (Stages != 4) begin : g_check
+    $error("tile_box: a box takes 4 cycles, not %0d", Stages);
+  end
   localparam logic signed [CoordW+1:0] Slack = (CoordW+2)'(BoxMargin);
   typedef logic signed [CoordW+1:0]                wide_t;     // a delta and the slack
   typedef logic signed [CoordW+TileSlopeFrac+2:0]  product_t;
 
-  logic [3:0] live;
-  pipe_chain #(.Stages(4)) u_chain (
+  logic [Stages-1:0] live;
+  pipe_chain #(.Stages(Stages)) u_chain (
     .clk_i, .rst_ni, .valid_i(in_valid_i), .ready_o(), .valid_o(out_valid_o), .ready_i(1'b1), .load_o(live)
   );
 

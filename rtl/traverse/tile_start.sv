@@ -13,8 +13,8 @@ module tile_start
   import castray_pkg::*;
   import castray_image_pkg::*;
 #(
-  parameter int unsigned Tiles = StartTiles,     // a power of two
-  parameter int unsigned Lines = 128    // of the cache of nodes
+  parameter int unsigned Tiles = StartTiles,          // a power of two
+  parameter int unsigned Lines = DefaultStartLines    // of the cache of nodes
 ) (
   input  logic       clk_i,
   input  logic       rst_ni,
@@ -55,6 +55,7 @@ module tile_start
   input  line_fill_t fill_i,
 
   output logic       node_o,        // counter events
+  output logic       busy_o,        // a node is split
   output logic       hit_o,
   output logic       miss_o
 );
@@ -117,6 +118,7 @@ module tile_start
     .out_valid_o(parts_valid), .out_ready_i(parts_ready), .out_root_o(at_root), .out_parts_o(parts),
     .part_i(part_at), .part_o(part), .read_o(node_o)
   );
+  assign busy_o = node_valid;
   line_fetch #(.Contexts(Tiles), .Lines(Lines)) u_fetch (
     .clk_i, .rst_ni, .base_i(nodes_i), .count_i(node_count_i),
     .visit_valid_i({1'b0, ask_valid}), .visit_ctx_i('{ask_tile, '0}),

@@ -73,6 +73,9 @@ module traversal
   output lane_events_t        events_o [Lanes],   // counter events
   output logic [Lanes-1:0]    ray_o,
   output logic [Lanes-1:0]    hit_o,
+  output logic [Lanes-1:0]    starved_o,      // a lane has room for a ray, and none is there
+  output logic [Lanes-1:0]    hit_wait_o,
+  output logic                hit_busy_o,     // a test is at the hit unit
   output logic                batch_o,
   output logic                test_stall_o,
   output logic                fetch_stall_o
@@ -115,7 +118,7 @@ module traversal
 
   // ---- Hierarchy: what was dealt, by the tile's slot, or a list's turn; a queue for each lane ----
   localparam int unsigned SlotW     = $clog2(Slots);
-  localparam int unsigned TileNodes = 2 << SlotW;
+  localparam int unsigned TileNodes = tile_nodes(Slots);
   typedef struct packed {
     lane_no_t   lane;
     logic [1:0] start;
@@ -159,7 +162,8 @@ module traversal
   shared_hits #(.Lanes(Lanes)) u_hits (
     .clk_i, .rst_ni,
     .cand_valid_i(cand_valid), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
-    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
+    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result),
+    .busy_o(hit_busy_o)
   );
 
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
@@ -196,8 +200,10 @@ module traversal
     );
     assign found[i] = cast[i].hit.found;
   end
-  assign ray_o  = ray_valid & ray_ready;
-  assign hit_o  = found & hit_valid & hit_ready;
+  assign ray_o      = ray_valid & ray_ready;
+  assign hit_o      = found & hit_valid & hit_ready;
+  assign hit_wait_o = hit_valid & ~hit_ready;
+  assign starved_o  = (rst_ni && !exhausted_i && (fill || !brute_i)) ? ~full & ~ray_valid : '0;
   assign none_queued = ray_valid == '0;
   assign idle_o      = brute_i ? brute_idle : (exhausted_i && &lane_empty && none_queued);
 

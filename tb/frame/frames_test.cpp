@@ -136,6 +136,29 @@ TEST(Frames, CountersAgreeWithTheBus) {
   EXPECT_GT(rtl.cycles() + 2000, core.device.cycle() - before) << "the rest is register accesses";
 }
 
+// What each pipe takes of a hit, a node, a candidate; triangles never wait for a root. Who may wait is one a lane, or a client.
+TEST(Frames, PipesAndWaitsAreCounted) {
+  for (const std::string name : {"teapot", "cube", "spheres"}) {
+    SCOPED_TRACE(name);
+    Core core(core_of(3, "uniform"));
+    core.driver.load(compile(scene_of(name), 40, 30));
+    for (const sim::Mode mode : {sim::Mode::kBrute, sim::Mode::kBvh}) {
+      const sim::Rendering rtl = core.driver.render({.hits = true, .mode = mode});
+      const auto& counts = rtl.counters;
+      EXPECT_EQ(counts[CntShaderBusy], 2 * counts[CntHits]);
+      EXPECT_EQ(counts[CntTileBusy], 4 * counts[CntTileNodes]);
+      EXPECT_GE(counts[CntHitUnitBusy], counts[CntCandidates]);
+      if (name != "spheres") EXPECT_EQ(counts[CntHitUnitBusy], counts[CntCandidates]);
+      for (const auto busy : {CntHitUnitBusy, CntShaderBusy, CntTileBusy}) EXPECT_LE(counts[static_cast<std::size_t>(busy)], rtl.cycles());
+      for (const auto waits : {CntStarved, CntHitWaits, CntWriteWaits}) EXPECT_GT(counts[static_cast<std::size_t>(waits)], 0u) << waits;
+      EXPECT_LE(counts[CntStarved], 3 * rtl.cycles());
+      EXPECT_EQ(core.device.read_reg(static_cast<unsigned>(RegCounters + 8 * CntStarved)), counts[CntStarved]) << "held after the end";
+      EXPECT_LE(counts[CntHitWaits], 3 * rtl.cycles());
+      EXPECT_LE(counts[CntWriteWaits], 2 * rtl.cycles());
+    }
+  }
+}
+
 // The same job takes the same cycles, whatever ran before.
 TEST(Frames, CyclesDoNotDependOnTheJobBefore) {
   Core core(core_of(3));

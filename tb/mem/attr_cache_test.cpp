@@ -12,7 +12,7 @@
 namespace castray::tb {
 namespace {
 
-constexpr int kMisses = 16, kQueue = 32, kSets = 64;
+constexpr int kMisses = DefaultAttrMisses, kQueue = 32, kSets = DefaultAttrEntries / 2;
 constexpr std::uint64_t kBase = 0xab'cdef'0100;
 
 std::uint32_t word_of(prim_t number, int at) {

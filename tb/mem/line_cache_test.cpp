@@ -10,7 +10,7 @@
 namespace castray::tb {
 namespace {
 
-constexpr unsigned kIds = 1 << CtxW, kMisses = 16, kSets = 256;
+constexpr unsigned kIds = 1 << CtxW, kMisses = DefaultCacheMisses, kSets = DefaultCacheLines / DefaultCacheWays;
 
 class LineCacheUnit : public testing::TestWithParam<Stalls> {
  protected:

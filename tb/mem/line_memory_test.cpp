@@ -12,7 +12,7 @@
 namespace castray::tb {
 namespace {
 
-constexpr unsigned kClients = 3, kMisses = 24, kClientMisses = 16;
+constexpr unsigned kClients = 3, kMisses = DefaultL2Misses, kClientMisses = DefaultCacheMisses;
 constexpr std::uint64_t kBase = 0xab'cdef'0100;
 
 // A variant of line_memory_tb.

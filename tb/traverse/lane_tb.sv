@@ -4,9 +4,9 @@ module lane_tb
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned NodeLines = 512,   // of the caches
-  parameter int unsigned LeafLines = 512,
-  parameter int unsigned TileNodes = 32,    // nodes of tiles' frontiers
+  parameter int unsigned NodeLines = DefaultCacheLines,   // of the caches
+  parameter int unsigned LeafLines = DefaultCacheLines,
+  parameter int unsigned TileNodes = tile_nodes(tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)),   // nodes of tiles' frontiers
   parameter bit          GateClocks = 1'b0,
   localparam int unsigned TileW    = $clog2(TileNodes)
 ) (
@@ -64,7 +64,7 @@ module lane_tb
   shared_hits #(.Lanes(1)) u_hits (
     .clk_i, .rst_ni,
     .cand_valid_i(cand_valid), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
-    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
+    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result), .busy_o()
   );
 
   lane #(.GateClocks(GateClocks), .Contexts(Contexts), .NodeLines(NodeLines), .LeafLines(LeafLines), .TileNodes(TileNodes)) u_lane (

@@ -4,8 +4,10 @@ module lane_tree_tb
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned NodeLines = 512,
-  parameter int unsigned LeafLines = 512
+  parameter int unsigned NodeLines = DefaultCacheLines,
+  parameter int unsigned LeafLines = DefaultCacheLines,
+  parameter int unsigned TileNodes = tile_nodes(tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)),
+  localparam int unsigned TileW    = $clog2(TileNodes)
 ) (
   input  logic         clk_i,
   input  logic         rst_ni,
@@ -17,7 +19,7 @@ module lane_tree_tb
   input  start_t       start_i,
 
   input  logic         tile_write_i,
-  input  logic [4:0]   tile_index_i,
+  input  logic [TileW-1:0] tile_index_i,
   input  node_t        tile_node_i,
 
   output logic         out_valid_o,
@@ -49,10 +51,10 @@ module lane_tree_tb
   shared_hits #(.Lanes(1)) u_hits (
     .clk_i, .rst_ni,
     .cand_valid_i(cand_valid), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
-    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
+    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result), .busy_o()
   );
 
-  lane #(.Contexts(Contexts), .NodeLines(NodeLines), .LeafLines(LeafLines), .TileNodes(32)) u_lane (
+  lane #(.Contexts(Contexts), .NodeLines(NodeLines), .LeafLines(LeafLines), .TileNodes(TileNodes)) u_lane (
     .clk_i, .rst_ni, .hierarchy_i(1'b1), .tree_i, .fill_i(1'b1), .emit_i(1'b1),
     .ray_valid_i(in_valid_i), .ray_ready_o(in_ready_o), .ray_i(in_i), .start_i,
     .test_valid_i(1'b0), .test_ready_o(), .test_step_i(1'b0), .test_ctx_i('0), .test_prim_i('0),

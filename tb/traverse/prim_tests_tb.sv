@@ -48,7 +48,7 @@ module prim_tests_tb
   shared_hits #(.Lanes(1)) u_hits (
     .clk_i, .rst_ni,
     .cand_valid_i(cand_valid && open_i), .cand_ready_o(cand_ready), .cand_i(cand), .ray_i(cand_ray),
-    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result)
+    .over_o(hit_over), .result_valid_o(result_valid), .result_o(result), .busy_o()
   );
 
   prim_tests #(.Contexts(Contexts)) u_prim_tests (
