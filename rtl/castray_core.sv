@@ -81,10 +81,22 @@ module castray_core
   input  logic [Ports-1:0][1:0]       m_axi_bresp_i
 );
   if (Lanes < 1 || Lanes > MaxLanes) begin : g_lanes
-    $error("castray_core: Lanes must be 1 to %0d", MaxLanes);
+    $error("castray_core: Lanes is %0d, it must be 1 to %0d", Lanes, MaxLanes);
+  end
+  if (Contexts < 1 || Contexts > 2 ** CtxW) begin : g_contexts
+    $error("castray_core: Contexts is %0d, it must be 1 to %0d", Contexts, 2 ** CtxW);
   end
   if (TileLog2 < 2 || TileLog2 > 4) begin : g_tile
-    $error("castray_core: TileLog2 must be 2, 3 or 4");
+    $error("castray_core: TileLog2 is %0d, it must be 2, 3 or 4", TileLog2);
+  end
+  if (AttrEntries < 4 || 2 ** $clog2(AttrEntries) != AttrEntries) begin : g_attributes
+    $error("castray_core: AttrEntries is %0d, it must be a power of two, at least 4", AttrEntries);
+  end
+  if (Ports < 1 || Ports > 2) begin : g_ports
+    $error("castray_core: Ports is %0d, it must be 1 or 2", Ports);
+  end
+  if (L2Kbytes != 0 && 2 ** $clog2(L2Kbytes) != L2Kbytes) begin : g_l2
+    $error("castray_core: L2Kbytes is %0d, it must be 0 or a power of two", L2Kbytes);
   end
 
   localparam int unsigned Slots = tile_slots(Lanes, Contexts, TileLog2);
@@ -243,8 +255,8 @@ module castray_core
   logic             hit_valid, hit_ready, traversal_idle, coloured, shading_idle;
   cast_t            cast;
 
-  traversal #(
-    .Lanes(Lanes), .Contexts(Contexts), .TileLog2(TileLog2), .Slots(Slots), .GateClocks(GateClocks)
+  traversal #(   // Contexts of 0 would stop a tool before it says what is wrong
+    .Lanes(Lanes), .Contexts((Contexts > 0) ? Contexts : 1), .TileLog2(TileLog2), .Slots(Slots), .GateClocks(GateClocks)
   ) u_traversal (
     .clk_i, .rst_ni(datapath_rst_n),
     .is_list_i(job.is_list), .brute_i(job.brute), .tree_i(tree), .root_i(root),

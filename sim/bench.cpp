@@ -52,15 +52,20 @@ std::vector<Run> timed_runs() {
   return runs;
 }
 
-// Frames in the hierarchy: every scene in both modes and both memories, then lanes, ports and sizes of the second cache, then larger frames.
+std::string name_of(const Frame& frame, const Core& core) {
+  return frame.scene + " " + frame.view + " " + std::to_string(frame.width) + ", " +
+         castray::sim::kModeNames[static_cast<std::size_t>(core.mode)] + ", " + std::to_string(core.lanes) + " lanes of " +
+         std::to_string(core.contexts) + ", tiles " + std::to_string(1 << core.tile_log2) + (core.z_order ? " z, " : ", ") +
+         std::to_string(core.ports) + " ports, L2 " + std::to_string(core.l2_kbytes) + ", " + core.memory + ", stalls " + core.stalls;
+}
+
+// Frames in the hierarchy: every scene in both modes and both memories, then lanes, contexts, ports and sizes of the second cache,
+// then larger frames, tiles and stalls.
 std::vector<Run> tree_runs() {
   using castray::sim::Mode;
   std::vector<Run> runs;
-  const auto add = [&](const Frame& frame, const Core& core) {
-    runs.push_back({"tree", frame.scene + " " + frame.view + " " + std::to_string(frame.width) + ", " +
-                                castray::sim::kModeNames[static_cast<std::size_t>(core.mode)] + ", " + std::to_string(core.lanes) + " lanes, " +
-                                std::to_string(core.ports) + " ports, L2 " + std::to_string(core.l2_kbytes) + ", " + core.memory,
-                    [=] { return rtl_run(frame, core); }});
+  const auto add = [&](const Frame& frame, const Core& core, const char* part = "tree") {
+    runs.push_back({part, name_of(frame, core), [=] { return rtl_run(frame, core); }});
   };
   for (const Frame& frame : kTreeFrames) {
     add(frame, tree_core());
@@ -70,13 +75,31 @@ std::vector<Run> tree_runs() {
     add(frame, hp);
   }
   for (const char* scene : {"teapot", "teapot100k"})
-    for (const auto& [lanes, ports, l2] : {std::array{1, 2, 128}, {2, 2, 128}, {4, 2, 128}, {3, 2, 0}, {3, 1, 128}, {3, 1, 0}}) {
+    for (const auto& [lanes, ports, l2] : {std::array{1, 2, 128}, {2, 2, 128}, {4, 2, 128}, {8, 2, 128}, {3, 2, 0}, {3, 1, 128}, {3, 1, 0}}) {
       Core core = tree_core();
       core.lanes = lanes, core.ports = ports, core.l2_kbytes = l2;
       add({scene, scene, "base", 320, 240}, core);
     }
+  Core one = tree_core();
+  one.lanes = one.contexts = 1;
+  add(kTreeFrames[0], one);
   add({"teapot", "teapot", "base", 640, 480}, tree_core());
   add({"teapot", "teapot", "base", 1920, 1080}, tree_core());
+  for (const int log2 : {2, 3, 4})
+    for (const bool z : {false, true}) {
+      Core core = tree_core();
+      core.tile_log2 = log2, core.z_order = z;
+      add(kTreeFrames[0], core, "tree_tiles");
+    }
+  const auto stalled = [&](const Frame& frame, int lanes, const char* pattern) {
+    Core core = tree_core();
+    core.hits = true, core.lanes = lanes, core.stalls = pattern;
+    add(frame, core, "tree_stalls");
+  };
+  for (const int lanes : {1, 2, 3, 4})
+    for (const char* pattern : {"uniform", "bursty", "turn"}) stalled({"teapot"}, lanes, pattern);
+  for (const char* scene : {"teapot100k", "teapot1m"})
+    for (const auto& [lanes, pattern] : {std::pair{1, "uniform"}, {2, "bursty"}, {4, "turn"}}) stalled({scene, scene, "base", 320, 240}, lanes, pattern);
   return runs;
 }
 
@@ -166,7 +189,7 @@ int main(int argc, char** argv) {
   unsigned workers = std::max(1u, std::thread::hardware_concurrency());
   app.add_option("--json", json, "the records, a list of objects")->capture_default_str();
   app.add_option("--page", page, "the tables as Markdown; printed in any case");
-  app.add_option("--only", parts, "these parts: tree list tree_speed compile speed host embree frames ladder tiles transforms stalls reference");
+  app.add_option("--only", parts, "these parts: tree tree_tiles tree_stalls list tree_speed compile speed host embree frames ladder tiles transforms stalls reference");
   app.add_option("--match", match, "runs whose name holds this");
   app.add_option("-j", workers, "runs at a time; what is timed runs alone")->capture_default_str();
   CLI11_PARSE(app, argc, argv);

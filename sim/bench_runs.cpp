@@ -27,9 +27,12 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+// What every record has: of what a run has no core or no comparison for, null.
 Json head(const Frame& frame, const char* engine, sim::Mode mode) {
-  return {{"engine", engine},      {"scene", frame.scene},   {"view", frame.view}, {"mode", sim::kModeNames[static_cast<std::size_t>(mode)]},
-          {"width", frame.width}, {"height", frame.height}, {"pixels", frame.width * frame.height}};
+  Json record = {{"engine", engine},      {"scene", frame.scene},   {"view", frame.view}, {"mode", sim::kModeNames[static_cast<std::size_t>(mode)]},
+                 {"width", frame.width}, {"height", frame.height}, {"pixels", frame.width * frame.height}};
+  for (const char* key : {"lanes", "ports", "memory", "stalls", "cycles", "pixels_differ", "hits_differ"}) record[key] = nullptr;
+  return record;
 }
 
 using Counts = std::array<std::uint64_t, Counters>;

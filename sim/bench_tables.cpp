@@ -1,43 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench_tables.hpp"
 
-#include <algorithm>
-#include <cstdarg>
-#include <cstdio>
-#include <functional>
+#include "bench_text.hpp"
+#include "bench_tree.hpp"
 
 namespace castray::bench {
 namespace {
 
-// The report ("Ray Tracing Acceleration on FPGA"): cycles of its frame and of its bound.
-constexpr double kReportCycles = 166.5e6;
-constexpr double kReportBound = 161.8e6;
 constexpr std::uint64_t kTeapotTests = 76'800ULL * 6'320ULL;
-
-std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
-std::string format(const char* pattern, ...) {
-  char text[400];
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(text, sizeof text, pattern, arguments);
-  va_end(arguments);
-  return text;
-}
-
-using Keep = std::function<bool(const Json&)>;
-std::vector<Json> only(const std::vector<Json>& records, const std::string& part, const Keep& keep = {}) {
-  std::vector<Json> kept;
-  for (const Json& r : records)
-    if (r["part"] == part && (!keep || keep(r))) kept.push_back(r);
-  return kept;
-}
-
-double mega(const Json& r) { return r["cycles"].get<double>() / 1e6; }
-std::string text(const Json& r, const char* key) { return r[key].get<std::string>(); }
-std::string size_of(const Json& r) { return format("%dx%d", r["width"].get<int>(), r["height"].get<int>()); }
-std::string differ(const Json& r) {
-  return format("%lu / %lu", r["pixels_differ"].get<unsigned long>(), r["hits_differ"].get<unsigned long>());
-}
 
 std::string frames(const std::vector<Json>& records) {
   std::string out =
@@ -96,11 +66,8 @@ std::string stalls(const std::vector<Json>& records) {
       "\n## Stalls\n80x60, three lanes, responses of different IDs reordered. The share of the cycles in which a channel was wanted and\n"
       "blocked; `turn` shuts one channel after the other. For the base view without stalls see *Transforms*.\n\n"
       "| view | pattern | cycles | ar | r | aw | w | b | differ |\n|---|---|---|---|---|---|---|---|---|\n";
-  for (const Json& r : only(records, "stalls")) {
-    out += format("| %s | %s | %.3f M |", text(r, "view").c_str(), text(r, "stalls").c_str(), mega(r));
-    for (const char* channel : {"ar", "r", "aw", "w", "b"}) out += format(" %.0f%% |", 100 * r["blocked"].value(channel, 0.0));
-    out += format(" %s |\n", differ(r).c_str());
-  }
+  for (const Json& r : only(records, "stalls"))
+    out += format("| %s | %s | %.3f M |%s %s |\n", text(r, "view").c_str(), text(r, "stalls").c_str(), mega(r), blocked(r).c_str(), differ(r).c_str());
   return out;
 }
 
@@ -113,82 +80,6 @@ std::string reference(const std::vector<Json>& records) {
     out += format("| %s | %s | %s | %lu | %lu | %lu | %d |\n", text(r, "scene").c_str(), text(r, "view").c_str(),
                   size_of(r).c_str(), r["other_primitive"].get<unsigned long>(), r["other_cell"].get<unsigned long>(),
                   r["far_colour"].get<unsigned long>(), r["worst_colour"].get<int>());
-  return out;
-}
-
-const Json* find(const std::vector<Json>& records, const Keep& keep) {
-  const auto at = std::ranges::find_if(records, keep);
-  return at == records.end() ? nullptr : &*at;
-}
-std::string percent(const Json& share) { return share.is_null() ? "-" : format("%.1f%%", 100 * share.get<double>()); }
-
-std::string tree_row(const Json& r) {
-  return format("| %s | %s | %s | %s | %d | %d | %d | %s |", text(r, "scene").c_str(), text(r, "view").c_str(),
-                size_of(r).c_str(), text(r, "mode").c_str(), r["lanes"].get<int>(), r["ports"].get<int>(),
-                r["l2_kbytes"].get<int>(), text(r, "memory").c_str());
-}
-
-// What a frame may take, where there is a bar: three lanes, two ports, 128 KB, `reference`.
-std::uint64_t bar_of(const Json& r) {
-  if (r["part"] != "tree" || r["lanes"] != 3 || r["ports"] != 2 || r["l2_kbytes"] != 128 || r["memory"] != "reference" ||
-      r["width"] != 320)
-    return 0;
-  const std::string name = text(r, "scene") + " " + text(r, "view") + " " + text(r, "mode");
-  return name == "teapot base bvh"       ? 100'000
-         : name == "teapot tight bvh"    ? 180'000
-         : name == "teapot base bvh_root" ? 180'000
-         : name == "teapot100k base bvh" ? 240'000
-         : name == "teapot1m base bvh"   ? 500'000
-                                         : 0;
-}
-
-std::string tree(const std::vector<Json>& records) {
-  const std::vector<Json> rows = only(records, "tree");
-  std::string out =
-      "\n## The hierarchy\n"
-      "Frames in the hierarchy, from the start of tiles (`bvh`) and from the root (`bvh_root`); caches cold, no hit buffer (`hits that differ` are of a\n"
-      "second frame, with it). The report's frame took 166.5 M cycles. Embree's columns: rays a second in this run, one thread, one ray at a time\n"
-      "and the best of its packets; beside it castray's rays at the report's clock, 100 MHz.\n\n"
-      "| scene | view | frame | mode | lanes | ports | L2, KB | memory | cycles | at most | times fewer than the report's | rays a cycle | "
-      "rays at 100 MHz | Embree, single | packets | pixels / hits that differ |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  for (const Json& r : rows) {
-    const std::uint64_t bar = bar_of(r);
-    const bool reports = r["scene"] == "teapot" && r["view"] == "base" && r["width"] == 320;
-    const Json* embree =
-        find(records, [&](const Json& e) { return e["part"] == "embree" && e["scene"] == r["scene"] && e["view"] == r["view"]; });
-    std::string single = "-", packets = "-";
-    if (embree && r["width"] == 320) {
-      double best = 0;
-      for (const char* packet : {"4", "8", "16"}) best = std::max(best, (*embree)["rays_per_second"][packet].get<double>());
-      single = format("%.2f M/s", (*embree)["rays_per_second"]["1"].get<double>() / 1e6);
-      packets = format("%.2f M/s", best / 1e6);
-    }
-    out += tree_row(r) + format(" %lu | %s | %s | %.3f | %.1f M/s | %s | %s | %s |\n", r["cycles"].get<unsigned long>(),
-                                bar ? format("%lu", static_cast<unsigned long>(bar)).c_str() : "-",
-                                reports ? format("%.0f", kReportCycles / r["cycles"].get<double>()).c_str() : "-",
-                                r["rays_per_cycle"].get<double>(), 100 * r["rays_per_cycle"].get<double>(), single.c_str(),
-                                packets.c_str(), differ(r).c_str());
-  }
-  out +=
-      "\nThe work and the load, of the same frames. A ray is a pixel, those of empty tiles too. Shares of the cycles in which a unit is used, at its\n"
-      "rate: a node or a test a cycle in each lane, a cycle a candidate in the one hit unit, four a node of a tile's start, two a shaded\n"
-      "hit. Hit rates of each cache; a lookup of a line that is on its way is a miss.\n\n"
-      "| scene | view | frame | mode | lanes | ports | L2, KB | memory | nodes a ray | tests a ray | bytes read a ray | written | node pipe | primitive pipe | "
-      "divider | tile start | shading | read ports | write port | node cache | leaf cache | tile cache | L2 | attributes |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  for (const Json& r : rows) {
-    out +=
-        tree_row(r) + format(" %.2f | %.2f | %.1f | %.1f |", r["nodes_per_ray"].get<double>(), r["tests_per_ray"].get<double>(),
-                             r["read_bytes_per_ray"].get<double>(), r["write_bytes_per_ray"].get<double>());
-    for (const char* unit : {"node_pipe", "primitive_pipe", "divider", "tile_start", "shading", "read_ports", "write_port"})
-      out += " " + percent(r["utilisation"][unit]) + " |";
-    for (const char* cache : {"node", "leaf", "tile", "l2", "attr"}) out += " " + percent(r["hit_rate"][cache]) + " |";
-    out += "\n";
-  }
-  for (const Json& r : only(records, "tree_speed"))
-    out += format(
-        "\nThe teapot's base frame through the Verilated three-lane core, alone on the machine: %.2f s, %.2f M cycles/s.\n",
-        r["seconds"].get<double>(), r["cycles_per_second"].get<double>() / 1e6);
   return out;
 }
 
@@ -237,18 +128,6 @@ std::string embree(const std::vector<Json>& records) {
   return out;
 }
 
-std::string lists(const std::vector<Json>& records) {
-  std::string out =
-      "\n## A list of rays\nThe 76,800 camera rays of the teapot's base view as a list, 64 bytes each, their hit records written, 32 bytes each. Three lanes, an L2\n"
-      "of 128 KB. A ray takes a port four cycles to read.\n\n"
-      "| ports | memory | cycles | cycles a ray | nodes a ray | tests a ray | read bytes a ray | records that differ from the frame's |\n|---|---|---|---|---|---|---|---|\n";
-  for (const Json& r : only(records, "list"))
-    out += format("| %d | %s | %lu | %.2f | %.2f | %.2f | %.1f | %lu |\n", r["ports"].get<int>(), text(r, "memory").c_str(),
-                  r["cycles"].get<unsigned long>(), 1 / r["rays_per_cycle"].get<double>(), r["nodes_per_ray"].get<double>(),
-                  r["tests_per_ray"].get<double>(), r["read_bytes_per_ray"].get<double>(), r["hits_differ"].get<unsigned long>());
-  return out;
-}
-
 }  // namespace
 
 std::string page_of(const std::vector<Json>& records) {
@@ -256,7 +135,8 @@ std::string page_of(const std::vector<Json>& records) {
       "# Bench\nWritten by `make bench`, which runs everything on this page; the same figures stand in `build/bench.json`. Cycles are the RTL's own\n"
       "counter, from the accepted start to done.\n";
   const std::pair<const char*, std::string (*)(const std::vector<Json>&)> sections[] = {
-      {"tree", tree},     {"list", lists},    {"compile", compiled},
+      {"tree", tree},     {"tree_tiles", tree_tiles}, {"tree_stalls", tree_stalls},
+      {"list", lists},    {"compile", compiled},
       {"frames", frames}, {"ladder", ladder}, {"transforms", transforms},
       {"tiles", tiles},   {"stalls", stalls}, {"reference", reference},
       {"embree", embree}, {"host", host}};
@@ -277,8 +157,8 @@ std::vector<std::string> broken_bars(const std::vector<Json>& records) {
     }
     if (r["part"] == "frames" && r["view"] == "base") check(r["cycles"] <= 163'500'000, "at most 163.5 M cycles", r);
     if (r["part"] == "frames") check(r["tests"] == kTeapotTests, "485,376,000 tests", r);
-    if (r["part"] == "stalls")
-      for (const char* channel : {"ar", "r", "aw", "w", "b"})
+    if (r["part"] == "stalls" || r["part"] == "tree_stalls")
+      for (const char* channel : kChannels)
         check(r["blocked"].value(channel, 0.0) >= 0.25, "a quarter of the wanted cycles blocked", r);
     if (r["part"] == "reference") {
       const double rate = (r["scene"] == "spheres" ? 8 : 4) / 76'800.0;

@@ -54,8 +54,8 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 SIM_PROGRAMS := castray castray_board make_scene bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp sim/uio/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
-# The command line runs once: its templates are not worth the compiler's effort.
-$(BUILD)/obj/sim/cli/%.o: CXXFLAGS += -O0
+# The command line and the bench's tables run once: their templates are not worth the compiler's effort.
+$(BUILD)/obj/sim/cli/%.o $(BUILD)/obj/sim/bench%.o: CXXFLAGS += -O0
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
 SIM_LIBS     := $(LIBS) -ldl -rdynamic
 

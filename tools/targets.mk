@@ -43,7 +43,7 @@ lint: $(LINTS) ## lint every module and test wrapper as its own top, and the cor
 
 programs: $(BUILD)/castray $(BUILD)/make_scene $(call cores_files,$(CORES_RENDER)) ## build the command-line programs
 
-tests: $(ALL_TESTS)
+tests: $(ALL_TESTS) $(BUILD)/bench
 
 long: ## the tests that have a long form, with it: docs/long.md (some 30 minutes)
 	@tools/setup.sh

@@ -12,8 +12,8 @@ touch build/FUSESOC_IGNORE
 fusesoc() { # target, core, options...
   local target=$1 core=$2
   shift 2
-  # Built to run once, with the compiler that the rest is built with.
-  env -u MAKELEVEL MAKEFLAGS="CXX=clang++ LINK=clang++ OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0" \
+  # Built to run once, with the compiler that the rest is built with, as one file: most of the time goes into headers.
+  env -u MAKELEVEL MAKEFLAGS="CXX=clang++ LINK=clang++ VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0" \
     $venv/fusesoc --cores-root . run --build-root "build/fpga/fusesoc/${core//:/_}" --target="$target" "$core" "$@"
 }
 simulates() {

@@ -4,6 +4,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -13,6 +15,20 @@
 #include "scene/load.hpp"
 
 namespace castray::tb {
+
+inline Scene scene_of(const std::string& name) { return load_scene("scenes/" + name + ".json"); }
+
+// Every scene file, in the order of the names.
+inline const std::vector<std::string>& scene_names() {
+  static const std::vector<std::string> sorted = [] {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator("scenes"))
+      if (entry.path().extension() == ".json") names.push_back(entry.path().stem());
+    std::ranges::sort(names);
+    return names;
+  }();
+  return sorted;
+}
 
 struct Core {
   explicit Core(const sim::RtlOptions& options) : device(options), driver(device) {}

@@ -7,8 +7,6 @@
 namespace castray::tb {
 namespace {
 
-Scene scene_of(const std::string& name) { return load_scene("scenes/" + name + ".json"); }
-
 class Lanes : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Cores, Lanes, testing::Values(1, 2, 3, 4));
 
@@ -21,6 +19,19 @@ TEST_P(Lanes, TriangleAndSphereScenesMatchTheModel) {
       const SceneImage image = compile(scene, 40, 30);
       for (const sim::Mode mode : {sim::Mode::kBrute, sim::Mode::kBvh, sim::Mode::kBvhRoot}) expect_frame(core, image, {.mode = mode});
     }
+  }
+}
+
+// Every scene on every number of lanes; each pattern of stalls meets each number of lanes.
+TEST_P(Lanes, EverySceneInTheHierarchyMatchesTheModel) {
+  const std::vector<std::string>& scenes = scene_names();
+  const auto patterns = sim::Stalls::names();
+  ASSERT_GE(scenes.size(), patterns.size());
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const std::string stalls = patterns[(i + static_cast<std::size_t>(GetParam())) % patterns.size()];
+    SCOPED_TRACE(scenes[i] + ", stalls " + stalls);
+    Core core(core_of(GetParam(), stalls, 5));
+    expect_frame(core, compile(scene_of(scenes[i]), 40, 30));
   }
 }
 
@@ -63,15 +74,18 @@ TEST(Frames, TellTheWorkOfEachRay) {
 }
 
 // Where nothing is asked for but the picture: what the hierarchy sees is what brute force sees.
-TEST(Frames, HierarchyEqualsBruteForce) {
-  Core core(core_of(3));
-  for (const std::string name : {"spheres", "cube"}) {
-    core.driver.load(compile(scene_of(name), 40, 30));
+TEST_P(Lanes, HierarchyEqualsBruteForce) {
+  Core core(core_of(GetParam()));
+  const int teapot = GetParam() == 4 ? 24 : 8;   // by brute force fewer lanes take longer
+  for (const auto& [name, width] : {std::pair{"cube", 40}, {"spheres", 40}, {"tiny", 24}, {"teapot_tight", teapot}}) {
+    SCOPED_TRACE(name);
+    core.driver.load(compile(scene_of(name), width, width * 3 / 4));
     const sim::Rendering brute = core.driver.render({.mode = sim::Mode::kBrute});
+    EXPECT_EQ(brute.error, ErrNone);
     for (const sim::Mode mode : {sim::Mode::kBvh, sim::Mode::kBvhRoot}) {
       const sim::Rendering tree = core.driver.render({.mode = mode});
       EXPECT_EQ(tree.error, ErrNone);
-      EXPECT_TRUE(sim::compare(tree, brute).equal()) << name;
+      EXPECT_TRUE(sim::compare(tree, brute).equal());
     }
   }
 }

@@ -34,10 +34,9 @@ void expect_same(const std::string& name, const Scene& scene) {
               static_cast<unsigned long>(brute.counters[CntHits]), pixels, hits);
 }
 
-class SceneFiles : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(All, SceneFiles, testing::Values("cube", "spheres", "teapot", "teapot_fit", "teapot_flipped", "teapot_interior", "teapot_rotated",
-                                                          "teapot_tight", "teapot_zoomed", "tiny"), [](const auto& info) { return std::string(info.param); });
-TEST_P(SceneFiles, HierarchyEqualsBruteForce) { expect_same(GetParam(), load_scene(std::string("scenes/") + GetParam() + ".json")); }
+class SceneFiles : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(All, SceneFiles, testing::ValuesIn(scene_names()), [](const auto& info) { return info.param; });
+TEST_P(SceneFiles, HierarchyEqualsBruteForce) { expect_same(GetParam(), scene_of(GetParam())); }
 
 TEST(MadeScenes, TeapotOf100kTriangles) { expect_same("teapot 40", made_teapot(40, "made").scene); }
 TEST(MadeScenes, FieldOfTeapots) { expect_same("field 4x3 of 10", made_field(4, 3, 10, "made").scene); }
