@@ -3,8 +3,8 @@
 // left to divide. The ray is P = org + z (Sx, Sy, 1) on permuted axes.
 //           triangle A, B, C                          sphere, centre in a, radius R in b.x
 //   s1-s3   sheared corners          (shear)          X, Y; N = |S|^2 R on B's multiplier
-//   s4-s6   six products             (edge_fns)       the same six multipliers, and Y Sy
-//   s7      U, V, W and their signs                   Z
+//   s4-s6   six products             (edge_fns)       the same six multipliers, and N R
+//   s7      U, V, W and their signs                   Z, and two sums of products
 //   s8      accepted?                (accept)         Z^2 in s7-s9   (sphere_disc)
 //   s9      |U|, |V|, |det|
 //   s10     wait for the spheres                      disc, accepted if not negative
@@ -144,19 +144,16 @@ module ray_prim
   end
 
   // ---- s4 to s7: edge functions ----
-  mul54_t p0, p1, p2, p3, p4, p5;
-  edge_fn_t           u7, v7, w7;
-  logic               u_neg7, v_neg7, w_neg7, point7;
+  mul55_t             v6, u7, v7, w7;
+  logic               u_up7, v_up7, w_up7, point7;
   logic               triangle7_q, neg7_q, cull7_q;
 
   edge_fns u_edge_fns (
-    .clk_i, .en_i(live[5:3]), .fns_en_i(live[6] && !sphere[6]),
+    .clk_i, .en_i(live[6:3]),
     .ax_i(sheared_ax), .ay_i(sheared_ay), .bx_i(sheared_bx), .by_i(sheared_by),
     .cx_i(sheared_cx), .cy_i(sheared_cy),
-    .sphere_i(sphere[3]), .sx_i(sx3_q), .sy_i(sy3_q), .reach_i(sheared_bx), .radius_i(radius3_q),
-    .p0_o(p0), .p1_o(p1), .p2_o(p2), .p3_o(p3), .p4_o(p4), .p5_o(p5),
-    .u_o(u7), .v_o(v7), .w_o(w7),
-    .u_neg_o(u_neg7), .v_neg_o(v_neg7), .w_neg_o(w_neg7), .point_o(point7)
+    .sphere_i(sphere[3]), .sx_i(sx3_q), .sy_i(sy3_q), .sums_i(sphere[6]),
+    .v_d_o(v6), .u_o(u7), .v_o(v7), .w_o(w7), .u_up_o(u_up7), .v_up_o(v_up7), .w_up_o(w_up7), .point_o(point7)
   );
 
   always_ff @(posedge clk_i) begin
@@ -174,8 +171,8 @@ module ray_prim
 
   accept u_accept (
     .clk_i, .rst_ni, .valid_i(triangle7_q), .neg_i(neg7_q), .cull_i(cull7_q),
-    .u_i(u7), .v_i(v7), .w_i(w7),
-    .u_neg_i(u_neg7), .v_neg_i(v_neg7), .w_neg_i(w_neg7), .point_i(point7),
+    .u_i(edge_fn_t'(u7)), .v_i(edge_fn_t'(v7)), .w_i(edge_fn_t'(w7)),
+    .u_up_i(u_up7), .v_up_i(v_up7), .w_up_i(w_up7), .point_i(point7),
     .valid_o(triangle9), .u_o(u9), .v_o(v9), .det_o(det9)
   );
 
@@ -192,8 +189,8 @@ module ray_prim
   end
 
   sphere_disc u_sphere_disc (
-    .clk_i, .rst_ni, .en_i(live[6:3] & sphere[6:3]), .y_i(sheared_ay), .sy_i(sy3_q),
-    .p_xx_i(p0), .p_yy_i(p4), .p_xsx_i(p2), .p_ysx_i(p3), .p_xsy_i(p5), .p_nr_i(p1),
+    .clk_i, .rst_ni, .en_i(live[6:3] & sphere[6:3]), .reach_i(sheared_bx), .radius_i(radius3_q),
+    .cross_i(v6), .along_i(u7), .square_i(w7),
     .valid_o(sphere10), .disc_o(disc10), .towards_o(towards10)
   );
 

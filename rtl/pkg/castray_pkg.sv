@@ -22,6 +22,7 @@ package castray_pkg;
   typedef logic signed [TexInt+UnitFrac-1:0] tex_t;      // Q11.16, texture coordinate
   typedef logic signed [DspAW-1:0]         mul27_t;    // operand and product of mul27
   typedef logic signed [2*DspAW-1:0]       mul54_t;
+  typedef logic signed [2*DspAW:0]         mul55_t;    // sum of two
   typedef logic signed [63:0]              mul_part_t; // of a product, see mul27_parts
   typedef logic [PrimW-1:0]                prim_t;
   typedef logic [CtxW-1:0]                 ctx_t;
