@@ -8,7 +8,7 @@
 // A child is dropped only if the line misses its box, or passes it where no hit that is reported for
 // its inside could lie between tmin and t: docs/number-formats.md, "The test of a node". Of a node
 // that no scene image may hold no child is visited, and error_o is set with out_valid_o.
-// One node a cycle, 8 cycles, never stalls. 12 DSPs.
+// One node a cycle, 8 cycles, never stalls. 20 DSPs.
 // Model: cpp_model/isect/node_pipe.hpp, equal bit for bit.
 module node_pipe
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
@@ -120,16 +120,17 @@ module node_pipe
 
   // ---- s1 to s6 ----
   logic [1:0] [9:0] mant;
+  logic [1:0] [10:0] more;
   logic [1:0]       minus;
   slab_t [1:0]      slab_low, slab_high;
   logic [1:0] [3:0] left;
   slab_axis u_axis_x (
     .clk_i, .en_i(en[3:0]), .recip_i(in_ray_i.rx), .d_i(dx), .e_i(ex), .dz_i(dz), .ez_i(ez),
-    .mant_o(mant[0]), .minus_o(minus[0]), .low_o(slab_low[0]), .high_o(slab_high[0]), .left_o(left[0])
+    .mant_o(mant[0]), .more_o(more[0]), .minus_o(minus[0]), .low_o(slab_low[0]), .high_o(slab_high[0]), .left_o(left[0])
   );
   slab_axis u_axis_y (
     .clk_i, .en_i(en[3:0]), .recip_i(in_ray_i.ry), .d_i(dy), .e_i(ey), .dz_i(dz), .ez_i(ez),
-    .mant_o(mant[1]), .minus_o(minus[1]), .low_o(slab_low[1]), .high_o(slab_high[1]), .left_o(left[1])
+    .mant_o(mant[1]), .more_o(more[1]), .minus_o(minus[1]), .low_o(slab_low[1]), .high_o(slab_high[1]), .left_o(left[1])
   );
 
   logic  limits_none;
@@ -144,7 +145,7 @@ module node_pipe
   for (genvar i = 0; i < 4; i++) begin : g_child
     slab_child u_child (
       .clk_i, .en_i(en[5:0]), .box_i(box[i]), .axis_i(in_ray_i.axis),
-      .mant_i(mant), .minus_i(minus), .low_i(slab_low), .high_i(slab_high), .left_i(left),
+      .mant_i(mant), .more_i(more), .minus_i(minus), .low_i(slab_low), .high_i(slab_high), .left_i(left),
       .none_o(none[i]), .low_o(low[i]), .high_o(high[i])
     );
   end

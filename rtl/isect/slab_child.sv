@@ -4,8 +4,8 @@
 //   s2-s5   between those across the two other axes                  (slab_planes)
 //   s6      low = the last of the three entries, high = the first of the exits
 // none_o, or low_o > high_o: nowhere.
-// One child a cycle, never stalls; en_i[k]: stage k + 1 takes an item. Of each axis, x first: mant_i
-// belongs to s3, minus_i, low_i and high_i to s4, left_i to s5.
+// One child a cycle, never stalls; en_i[k]: stage k + 1 takes an item. Of each axis, x first: mant_i and
+// more_i belong to s3, minus_i, low_i and high_i to s4, left_i to s5.
 // Model: cpp_model/isect/slab_child.hpp, equal bit for bit.
 module slab_child
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
@@ -16,6 +16,7 @@ module slab_child
   input  child_box_t       box_i,
   input  axis_t            axis_i,
   input  logic [1:0] [9:0] mant_i,
+  input  logic [1:0] [10:0] more_i,   // mant + 1
   input  logic [1:0]       minus_i,
   input  slab_t [1:0]      low_i,
   input  slab_t [1:0]      high_i,
@@ -59,12 +60,12 @@ module slab_child
   tick_t x_low, x_high, y_low, y_high;
   slab_planes u_x (
     .clk_i, .en_i(en_i[4:1]), .q0_i(low1_q.x), .q1_i(high1_q.x),
-    .mant_i(mant_i[0]), .minus_i(minus_i[0]), .low_i(low_i[0]), .high_i(high_i[0]), .left_i(left_i[0]),
+    .mant_i(mant_i[0]), .more_i(more_i[0]), .minus_i(minus_i[0]), .low_i(low_i[0]), .high_i(high_i[0]), .left_i(left_i[0]),
     .none_o(x_none), .low_o(x_low), .high_o(x_high)
   );
   slab_planes u_y (
     .clk_i, .en_i(en_i[4:1]), .q0_i(low1_q.y), .q1_i(high1_q.y),
-    .mant_i(mant_i[1]), .minus_i(minus_i[1]), .low_i(low_i[1]), .high_i(high_i[1]), .left_i(left_i[1]),
+    .mant_i(mant_i[1]), .more_i(more_i[1]), .minus_i(minus_i[1]), .low_i(low_i[1]), .high_i(high_i[1]), .left_i(left_i[1]),
     .none_o(y_none), .low_o(y_low), .high_o(y_high)
   );
 
