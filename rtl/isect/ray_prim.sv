@@ -100,9 +100,6 @@ module ray_prim
     prim_t  number;
     delta_t cz;
   } kept_t;
-  typedef struct packed {
-    shear_t sx, sy;
-  } kept_shear_t;
 
   place_t       place_q;
   ctx_t         kept_ctx_q [Places];     // of any test
@@ -111,8 +108,6 @@ module ray_prim
     delta_t az, bz;
   } kept_z_t;
   kept_z_t      kept_z_q [Places];       // of a triangle
-  kept_shear_t  kept_shear_q [Places];   // of a sphere
-  coord_t       kept_radius_q [Places];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) place_q <= '0;
@@ -124,23 +119,18 @@ module ray_prim
       kept_q[place_q]   <= '{number: in_prim_i.number, cz: is_sphere ? az : cz};
       kept_z_q[place_q] <= '{az: az, bz: bz};
     end
-    if (live[0] && sphere[0]) begin
-      kept_shear_q[place_q]  <= '{sx: sx, sy: sy};
-      kept_radius_q[place_q] <= radius;
-    end
   end
 
-  // A sphere's operands of s4.
-  shear_t      sx3_q, sy3_q;
-  delta_t      radius3_q;
-  kept_shear_t kept_shear;
-  assign kept_shear = kept_shear_q[place_q - place_t'(2)];
+  // A sphere's operands of s4 come along.
+  typedef struct packed {
+    shear_t sx, sy;
+    coord_t radius;
+  } operands_t;
+  operands_t operands1_q, operands2_q, operands3_q;
   always_ff @(posedge clk_i) begin
-    if (live[2] && sphere[2]) begin
-      sx3_q     <= kept_shear.sx;
-      sy3_q     <= kept_shear.sy;
-      radius3_q <= delta_t'({1'b0, kept_radius_q[place_q - place_t'(2)]});
-    end
+    if (live[0] && sphere[0]) operands1_q <= '{sx: sx, sy: sy, radius: radius};
+    if (live[1] && sphere[1]) operands2_q <= operands1_q;
+    if (live[2] && sphere[2]) operands3_q <= operands2_q;
   end
 
   // ---- s4 to s7: edge functions ----
@@ -152,7 +142,7 @@ module ray_prim
     .clk_i, .en_i(live[6:3]),
     .ax_i(sheared_ax), .ay_i(sheared_ay), .bx_i(sheared_bx), .by_i(sheared_by),
     .cx_i(sheared_cx), .cy_i(sheared_cy),
-    .sphere_i(sphere[3]), .sx_i(sx3_q), .sy_i(sy3_q), .sums_i(sphere[6]),
+    .sphere_i(sphere[3]), .sx_i(operands3_q.sx), .sy_i(operands3_q.sy), .sums_i(sphere[6]),
     .v_d_o(v6), .u_o(u7), .v_o(v7), .w_o(w7), .u_up_o(u_up7), .v_up_o(v_up7), .w_up_o(w_up7), .point_o(point7)
   );
 
@@ -189,7 +179,7 @@ module ray_prim
   end
 
   sphere_disc u_sphere_disc (
-    .clk_i, .rst_ni, .en_i(live[6:3] & sphere[6:3]), .reach_i(sheared_bx), .radius_i(radius3_q),
+    .clk_i, .rst_ni, .en_i(live[6:3] & sphere[6:3]), .reach_i(sheared_bx), .radius_i(delta_t'({1'b0, operands3_q.radius})),
     .cross_i(v6), .along_i(u7), .square_i(w7),
     .valid_o(sphere10), .disc_o(disc10), .towards_o(towards10)
   );
