@@ -85,26 +85,26 @@ module node_pipe
     endcase
   end
 
-  // ---- What is needed again: written as a node enters, at the place of that cycle ----
+  // ---- What is needed again: the children's references are written into block RAM as a node enters, at the
+  // place of that cycle, and read a cycle before they are needed; the rest comes along ----
   localparam int unsigned PlaceW = $clog2(Stages);
   typedef logic [PlaceW-1:0] place_t;
   typedef struct packed {
     logic       neg;
     delta_t     dz;
     plane_exp_t ez;
-  } kept_plane_t;   // for s6
+  } plane_of_t;   // for s6
   typedef struct packed {
     ctx_t       ctx;
     logic       error;
     ref_t [3:0] target;
   } kept_node_t;    // for s8
 
-  place_t      place_q;
-  kept_plane_t kept_plane_q [1 << PlaceW], plane6;
-  kept_node_t  kept_node_q [1 << PlaceW], node8;
-  logic [3:0]  kept_exists_q [1 << PlaceW];   // for s7
-  assign plane6 = kept_plane_q[place_q - place_t'(5)];
-  assign node8  = kept_node_q[place_q - place_t'(7)];
+  place_t     place_q;
+  plane_of_t  plane_q [5];
+  logic [3:0] exists_q [6];   // for s7
+  (* ram_style = "block" *) kept_node_t kept_node_q [1 << PlaceW];
+  kept_node_t node8_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) place_q <= '0;
@@ -112,10 +112,13 @@ module node_pipe
   end
   always_ff @(posedge clk_i) begin
     if (in_valid_i) begin
-      kept_plane_q[place_q]  <= '{neg: in_ray_i.neg, dz: dz, ez: ez};
-      kept_node_q[place_q]   <= '{ctx: in_ctx_i, error: !legal, target: target};
-      kept_exists_q[place_q] <= legal ? exists : '0;
+      plane_q[0]           <= '{neg: in_ray_i.neg, dz: dz, ez: ez};
+      exists_q[0]          <= legal ? exists : '0;
+      kept_node_q[place_q] <= '{ctx: in_ctx_i, error: !legal, target: target};
     end
+    for (int unsigned i = 1; i < 5; i++) if (en[i]) plane_q[i] <= plane_q[i-1];
+    for (int unsigned i = 1; i < 6; i++) if (en[i]) exists_q[i] <= exists_q[i-1];
+    if (en[6]) node8_q <= kept_node_q[place_q - place_t'(6)];
   end
 
   // ---- s1 to s6 ----
@@ -152,9 +155,9 @@ module node_pipe
 
   // ---- s6 to s8 ----
   node_order u_order (
-    .clk_i, .en_i(en[7:5]), .neg_i(plane6.neg), .dz_i(plane6.dz), .ez_i(plane6.ez),
-    .exists_i(kept_exists_q[place_q - place_t'(6)]), .none_i(none), .low_i(low), .high_i(high),
-    .limits_none_i(limits_none), .first_i(first), .last_i(last), .target_i(node8.target),
+    .clk_i, .en_i(en[7:5]), .neg_i(plane_q[4].neg), .dz_i(plane_q[4].dz), .ez_i(plane_q[4].ez),
+    .exists_i(exists_q[5]), .none_i(none), .low_i(low), .high_i(high),
+    .limits_none_i(limits_none), .first_i(first), .last_i(last), .target_i(node8_q.target),
     .out_o
   );
 
@@ -164,8 +167,8 @@ module node_pipe
   end
   always_ff @(posedge clk_i) begin
     if (en[Stages-1]) begin
-      out_ctx_o <= node8.ctx;
-      error_o   <= node8.error;
+      out_ctx_o <= node8_q.ctx;
+      error_o   <= node8_q.error;
     end
   end
 endmodule

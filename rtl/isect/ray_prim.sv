@@ -12,7 +12,7 @@
 // One test a cycle, 11 cycles from in_valid_i to out_valid_o or retire_o (never both), never
 // stalls; out_o.ctx is the test's either way. An empty slot (NoPrim), and a sphere of radius 0 or
 // of 2^(CoordW-1) and more, is never accepted. 28 DSPs. What only an accepted test needs again waits
-// in small memories, not in every stage.
+// in block RAM, not in every stage.
 // Model: cpp_model/isect/ray_prim.hpp, equal bit for bit.
 module ray_prim
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -92,33 +92,28 @@ module ray_prim
   shear u_shear_c (.clk_i, .en_i(live[2:0]), .x_i(cx), .y_i(cy), .z_i(cz), .back_x_i(back_x), .back_y_i(back_y),
                    .x_o(sheared_cx), .y_o(sheared_cy));
 
-  // ---- What is needed again: written as a test enters, at the place of that cycle ----
+  // ---- What is needed again: written into block RAM as a test enters, at the place of that cycle, and read
+  // a cycle before it is needed ----
   localparam int unsigned PlaceW = $clog2(Stages);
   localparam int unsigned Places = 1 << PlaceW;
   typedef logic [PlaceW-1:0] place_t;
   typedef struct packed {
+    ctx_t   ctx;
     prim_t  number;
-    delta_t cz;
+    delta_t az, bz, cz;   // of a triangle; of a sphere cz is its centre's
   } kept_t;
 
-  place_t       place_q;
-  ctx_t         kept_ctx_q [Places];     // of any test
-  kept_t        kept_q [Places];
-  typedef struct packed {
-    delta_t az, bz;
-  } kept_z_t;
-  kept_z_t      kept_z_q [Places];       // of a triangle
+  place_t place_q;
+  (* ram_style = "block" *) kept_t kept_q [Places];
+  kept_t  kept10_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) place_q <= '0;
     else place_q <= place_q + 1'b1;
   end
   always_ff @(posedge clk_i) begin
-    if (test[0]) kept_ctx_q[place_q] <= in_ctx_i;
-    if (live[0]) begin
-      kept_q[place_q]   <= '{number: in_prim_i.number, cz: is_sphere ? az : cz};
-      kept_z_q[place_q] <= '{az: az, bz: bz};
-    end
+    if (test[0]) kept_q[place_q] <= '{ctx: in_ctx_i, number: in_prim_i.number, az: az, bz: bz, cz: is_sphere ? az : cz};
+    if (test[Stages-2]) kept10_q <= kept_q[place_q - place_t'(Stages - 2)];
   end
 
   // A sphere's operands of s4 come along.
@@ -185,15 +180,8 @@ module ray_prim
   );
 
   // ---- s11 ----
-  logic     accepted10;
-  kept_t    kept10;
-  kept_z_t  kept_z10;
-  delta_t   az10, bz10;
-  assign az10 = kept_z10.az;
-  assign bz10 = kept_z10.bz;
+  logic accepted10;
   assign accepted10 = triangle10_q || sphere10;
-  assign kept10     = kept_q[place_q - place_t'(Stages - 1)];
-  assign kept_z10   = kept_z_q[place_q - place_t'(Stages - 1)];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -205,16 +193,16 @@ module ray_prim
     end
   end
   always_ff @(posedge clk_i) begin
-    if (test[Stages-1]) out_o.ctx <= kept_ctx_q[place_q - place_t'(Stages - 1)];
+    if (test[Stages-1]) out_o.ctx <= kept10_q.ctx;
     if (accepted10) begin
-      out_o.number <= kept10.number;
+      out_o.number <= kept10_q.number;
       out_o.kind   <= sphere10 ? KindSphere : KindTriangle;
       out_o.u      <= sphere10 ? '0 : u10_q;
       out_o.v      <= sphere10 ? '0 : v10_q;
       out_o.det    <= sphere10 ? disc10 : det10_q;
-      out_o.az     <= sphere10 ? towards10 : towards_t'(az10);
-      out_o.bz     <= sphere10 ? '0 : bz10;
-      out_o.cz     <= kept10.cz;
+      out_o.az     <= sphere10 ? towards10 : towards_t'(kept10_q.az);
+      out_o.bz     <= sphere10 ? '0 : kept10_q.bz;
+      out_o.cz     <= kept10_q.cz;
     end
   end
 endmodule
