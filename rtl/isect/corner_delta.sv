@@ -3,12 +3,14 @@
 // (x, y, z) becomes (y, z, x) for axis 0, (z, x, y) for axis 1, itself otherwise. Combinational,
 // exact for positions below 2^CoordW, else modulo 2^(CoordW+1); the permutation is cyclic, so a
 // triangle keeps its orientation. The origin is permuted once for all of them, and subtracted in the
-// LUT that chooses a position's coordinate: p - o as ~o - ~p, whose minuend is no multiplexer.
+// LUT that chooses a position's coordinate: p - o as ~o - ~p, whose minuend is no multiplexer. With BackZ
+// z is turned back: the origin seen from the position.
 // Model: cpp_model/isect/corner_delta.hpp, equal bit for bit.
 module corner_delta
   import castray_pkg::*;
 #(
-  parameter int unsigned Points = 1
+  parameter int unsigned Points = 1,
+  parameter bit          BackZ  = 1'b0
 ) (
   input  point_t [Points-1:0] point_i,
   input  point_t              org_i,
@@ -31,17 +33,20 @@ module corner_delta
   endfunction
 
   point_t org;
-  delta_t not_x, not_y, not_z;
+  delta_t not_x, not_y;
   assign org   = permuted(org_i, to0, to1);
   assign not_x = ~delta_t'({1'b0, org.x});
   assign not_y = ~delta_t'({1'b0, org.y});
-  assign not_z = ~delta_t'({1'b0, org.z});
 
   for (genvar i = 0; i < Points; i++) begin : g_point
     point_t point;
     assign point  = permuted(point_i[i], to0, to1);
     assign x_o[i] = minus(point.x, not_x);
     assign y_o[i] = minus(point.y, not_y);
-    assign z_o[i] = minus(point.z, not_z);
+    if (BackZ) begin : g_back
+      assign z_o[i] = delta_t'({1'b0, org.z}) - delta_t'({1'b0, point.z});
+    end else begin : g_ahead
+      assign z_o[i] = minus(point.z, ~delta_t'({1'b0, org.z}));
+    end
   end
 endmodule

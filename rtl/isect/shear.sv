@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A corner moved along the ray onto the plane z = 0, in units of two steps:
 //   x' = (x - sx z) / 2,  y' = (y - sy z) / 2      to the nearest integer, halves upwards
-// from the shear turned back, (-sx, -sy): so nothing but floors follow the products.
-//   s1, s2  the parts of -sx z, -sy z  exact        4 DSPs
+// from z turned back, -z: so nothing but floors follow the products.
+//   s1, s2  the parts of sx -z, sy -z  exact        4 DSPs
 //   s3      x', y'                     CoordW + 1 bits: |x - sx z| < 2^(CoordW+1) steps
 // One corner a cycle, three cycles, never stalls; en_i[k]: stage k + 1 takes an item.
 // Model: cpp_model/isect/shear.hpp, equal bit for bit.
@@ -14,9 +14,9 @@ module shear
   input  logic [2:0] en_i,
   input  delta_t     x_i,
   input  delta_t     y_i,
-  input  delta_t     z_i,
-  input  shear_t     back_x_i,   // -sx
-  input  shear_t     back_y_i,   // -sy
+  input  delta_t     back_z_i,   // -z
+  input  shear_t     sx_i,
+  input  shear_t     sy_i,
   output sheared_t   x_o,
   output sheared_t   y_o
 );
@@ -27,8 +27,8 @@ module shear
   delta_t             x1_q, x2_q, y1_q, y2_q;
   mul_part_t          low_x, high_x, low_y, high_y;
 
-  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(back_x_i)), .low_o(low_x), .high_o(high_x));
-  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(z_i)), .b_i(mul27_t'(back_y_i)), .low_o(low_y), .high_o(high_y));
+  mul27_parts u_x (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(back_z_i)), .b_i(mul27_t'(sx_i)), .low_o(low_x), .high_o(high_x));
+  mul27_parts u_y (.clk_i, .en_i(en_i[1:0]), .a_i(mul27_t'(back_z_i)), .b_i(mul27_t'(sy_i)), .low_o(low_y), .high_o(high_y));
 
   // The only place where precision is lost: half a unit of two steps. What of a product is below a step, and
   // what of its lower part is below the upper one's last bit, falls away at once.

@@ -234,9 +234,9 @@ package castray_pkg;
   } test_ray_t;
 
   // A primitive accepted by the exact test; what is left is to divide.
-  // Triangle: |U|, |V|, |det| and the dominant coordinates of its corners from the origin.
+  // Triangle: |U|, |V|, |det| and the dominant coordinates of the origin from its corners.
   // Sphere: det holds the discriminant in units of two square steps, az the projection
-  // X Sx + Y Sy (in quarter steps, see hit_unit), cz the centre's dominant coordinate.
+  // X Sx + Y Sy (in quarter steps, see hit_unit), cz the dominant coordinate of the origin from the centre.
   typedef struct packed {
     ctx_t         ctx;
     prim_t        number;
