@@ -63,14 +63,14 @@ module ray_prim
     cull_q   <= cull[5:0];
   end
 
-  // ---- s1 to s3: sheared corners; z turned back ----
+  // ---- s1 to s3: sheared corners; x and y complemented, z turned back ----
   delta_t             ax, ay, az, bx, by, bz, cx, cy, cz;
   sheared_t           sheared_ax, sheared_ay, sheared_bx, sheared_by, sheared_cx, sheared_cy;
   shear_t             sx, sy;
   assign sx = in_ray_i.sx;
   assign sy = in_ray_i.sy;
 
-  corner_delta #(.Points(3), .BackZ(1'b1)) u_delta (
+  corner_delta #(.Points(3), .Back(1'b1)) u_delta (
     .point_i({in_prim_i.c, in_prim_i.b, in_prim_i.a}), .org_i(in_ray_i.org), .axis_i(in_ray_i.axis),
     .x_o({cx, bx, ax}), .y_o({cy, by, ay}), .z_o({cz, bz, az})
   );
@@ -80,13 +80,13 @@ module ray_prim
   delta_t radius_delta;
   assign radius_delta = delta_t'({1'b0, radius});
 
-  shear u_shear_a (.clk_i, .en_i(live[2:0]), .x_i(ax), .y_i(ay), .back_z_i(az), .sx_i(sx), .sy_i(sy),
+  shear u_shear_a (.clk_i, .en_i(live[2:0]), .not_x_i(ax), .not_y_i(ay), .back_z_i(az), .sx_i(sx), .sy_i(sy),
                    .x_o(sheared_ax), .y_o(sheared_ay));
-  shear u_shear_b (.clk_i, .en_i(live[2:0]), .x_i(is_sphere ? radius_delta <<< 1 : bx), .y_i(by),
+  shear u_shear_b (.clk_i, .en_i(live[2:0]), .not_x_i(is_sphere ? ~(radius_delta <<< 1) : bx), .not_y_i(by),
                    .back_z_i(is_sphere ? radius_delta : bz),
                    .sx_i(is_sphere ? {in_ray_i.norm2[NormFrac:0], 2'b00} : sx), .sy_i(sy),
                    .x_o(sheared_bx), .y_o(sheared_by));
-  shear u_shear_c (.clk_i, .en_i(live[2:0]), .x_i(cx), .y_i(cy), .back_z_i(cz), .sx_i(sx), .sy_i(sy),
+  shear u_shear_c (.clk_i, .en_i(live[2:0]), .not_x_i(cx), .not_y_i(cy), .back_z_i(cz), .sx_i(sx), .sy_i(sy),
                    .x_o(sheared_cx), .y_o(sheared_cy));
 
   // ---- What is needed again: written into block RAM as a test enters, at the place of that cycle, and read

@@ -34,7 +34,7 @@ module slab_child
   } pair_t;
 
   // As corner_delta permutes positions.
-  function automatic planes_t permuted(plane_t x, plane_t y, plane_t z, axis_t axis);
+  function automatic planes_t planes_of(plane_t x, plane_t y, plane_t z, axis_t axis);
     return (axis == 2'd0) ? '{x: y, y: z, z: x} : (axis == 2'd1) ? '{x: z, y: x, z: y} : '{x: x, y: y, z: z};
   endfunction
 
@@ -49,8 +49,8 @@ module slab_child
   pair_t [3:0] z_q;   // of s2 to s5
   always_ff @(posedge clk_i) begin
     if (en_i[0]) begin
-      low1_q  <= permuted(box_i.x0, box_i.y0, box_i.z0, axis_i);
-      high1_q <= permuted(box_i.x1, box_i.y1, box_i.z1, axis_i);
+      low1_q  <= planes_of(box_i.x0, box_i.y0, box_i.z0, axis_i);
+      high1_q <= planes_of(box_i.x1, box_i.y1, box_i.z1, axis_i);
     end
     if (en_i[1]) z_q[0] <= '{low: low1_q.z, high: high1_q.z};
     for (int unsigned i = 1; i < 4; i++) if (en_i[i+1]) z_q[i] <= z_q[i-1];

@@ -103,7 +103,7 @@ package castray_pkg;
     logic [RecipW-1:0] mant;
   } recip_t;
 
-  // A ray as a lane sees it: origin, shear on permuted axes, dominant axis and its sign.
+  // A ray as a lane sees it: origin and shear on permuted axes, dominant axis and its sign.
   typedef struct packed {
     pixel_tag_t tag;
     point_t     org;
@@ -195,6 +195,13 @@ package castray_pkg;
 
   // A box, both corners included.
   typedef struct packed { point_t high, low; } box_t;
+
+  // On axes permuted so that the dominant one comes last.
+  function automatic point_t permute(point_t p, axis_t axis);
+    return '{x: (axis == 2'd0) ? p.y : (axis == 2'd1) ? p.z : p.x,
+             y: (axis == 2'd0) ? p.z : (axis == 2'd1) ? p.x : p.y,
+             z: (axis == 2'd0) ? p.x : (axis == 2'd1) ? p.y : p.z};
+  endfunction
 
   // A part of the scene that some ray of a tile may meet.
   typedef struct packed {
