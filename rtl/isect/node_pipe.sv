@@ -122,7 +122,7 @@ module node_pipe
   end
 
   // ---- s1 to s6 ----
-  logic [1:0] [9:0] mant;
+  logic [1:0] [9:0]  mant;
   logic [1:0] [10:0] more;
   logic [1:0]       minus;
   slab_t [1:0]      slab_low, slab_high;

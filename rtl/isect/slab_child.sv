@@ -10,21 +10,21 @@
 module slab_child
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 (
-  input  logic             clk_i,
+  input  logic              clk_i,
 
-  input  logic [5:0]       en_i,
-  input  child_box_t       box_i,
-  input  axis_t            axis_i,
-  input  logic [1:0] [9:0] mant_i,
+  input  logic [5:0]        en_i,
+  input  child_box_t        box_i,
+  input  axis_t             axis_i,
+  input  logic [1:0] [9:0]  mant_i,
   input  logic [1:0] [10:0] more_i,   // mant + 1
-  input  logic [1:0]       minus_i,
-  input  slab_t [1:0]      low_i,
-  input  slab_t [1:0]      high_i,
-  input  logic [1:0] [3:0] left_i,
+  input  logic [1:0]        minus_i,
+  input  slab_t [1:0]       low_i,
+  input  slab_t [1:0]       high_i,
+  input  logic [1:0] [3:0]  left_i,
 
-  output logic             none_o,
-  output tick_t            low_o,
-  output tick_t            high_o
+  output logic              none_o,
+  output tick_t             low_o,
+  output tick_t             high_o
 );
   typedef struct packed {
     plane_t x, y, z;

@@ -12,21 +12,21 @@
 module slab_planes
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 (
-  input  logic       clk_i,
+  input  logic        clk_i,
 
-  input  logic [3:0] en_i,
-  input  plane_t     q0_i,
-  input  plane_t     q1_i,
-  input  logic [9:0] mant_i,
+  input  logic [3:0]  en_i,
+  input  plane_t      q0_i,
+  input  plane_t      q1_i,
+  input  logic [9:0]  mant_i,
   input  logic [10:0] more_i,   // mant + 1
-  input  logic       minus_i,
-  input  slab_t      low_i,
-  input  slab_t      high_i,
-  input  logic [3:0] left_i,
+  input  logic        minus_i,
+  input  slab_t       low_i,
+  input  slab_t       high_i,
+  input  logic [3:0]  left_i,
 
-  output logic       none_o,
-  output tick_t      low_o,
-  output tick_t      high_o
+  output logic        none_o,
+  output tick_t       low_o,
+  output tick_t       high_o
 );
   localparam int unsigned ProdW = 18;           // a product of 8 and 10 bits
   localparam int unsigned Drop  = 9 - SubPlane;
