@@ -39,7 +39,7 @@ inline ray_t ray_setup(const ray_req_t& req) {
   ray.axis = mx >= my && mx >= mz ? 0 : my >= mz ? 1 : 2;  // equal: the lowest; zero: 0
   const auto [n0, n1, dom] = permute({dir.x, dir.y, dir.z}, ray.axis);
   ray.tag = req.tag;
-  ray.org = req.org;
+  ray.org = permuted(req.org, ray.axis);
   ray.sx = valid ? shear_quotient(n0, dom) : 0;
   ray.sy = valid ? shear_quotient(n1, dom) : 0;
   using square_t = int_of<2 * ShearFrac + 3>;

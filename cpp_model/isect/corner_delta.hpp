@@ -34,8 +34,18 @@ inline std::int64_t delta_of(coord_t p, coord_t org) {
   return d;
 }
 
+inline point_t permuted(const point_t& p, axis_t axis) {
+  switch (axis) {
+    case 0: return {.z = p.x, .y = p.z, .x = p.y};
+    case 1: return {.z = p.y, .y = p.x, .x = p.z};
+    default: return p;
+  }
+}
+
+// org is permuted already.
 inline delta3_t corner_delta(const point_t& p, const point_t& org, axis_t axis) {
-  return permute({delta_of(p.x, org.x), delta_of(p.y, org.y), delta_of(p.z, org.z)}, axis);
+  const point_t at = permuted(p, axis);
+  return {delta_of(at.x, org.x), delta_of(at.y, org.y), delta_of(at.z, org.z)};
 }
 
 }  // namespace castray

@@ -22,8 +22,8 @@ inline quotient_job_t hit_norm(const cand_t& cand) {
   job.num0 = norm_shift(cand.u, top);
   job.num1 = norm_shift(cand.v, top);
   job.den = norm_shift(cand.det, top);
-  job.scale0 = wrap_signed(cand.az - cand.cz, CoordW + 1);
-  job.scale1 = wrap_signed(cand.bz - cand.cz, CoordW + 1);
+  job.scale0 = wrap_signed(cand.cz - cand.az, CoordW + 1);
+  job.scale1 = wrap_signed(cand.cz - cand.bz, CoordW + 1);
   return job;
 }
 

@@ -23,13 +23,13 @@ inline bool hit_unit(const cand_t& cand, const hit_ray_t& ray, result_t& out) {
   if (!sphere) {
     out.u = q0;
     out.v = q1;
-    out.t = triangle_distance(cand.cz, part0, part1, ray.neg);
+    out.t = triangle_distance(-cand.cz, part0, part1, ray.neg);
     return out.t > ray.tmin;
   }
   out.u = out.v = 0;
-  out.t = sphere_distance(cand.cz, part0, ray.neg);
+  out.t = sphere_distance(-cand.cz, part0, ray.neg);
   if (out.t > ray.tmin) return true;
-  out.t = sphere_distance(cand.cz, part1, ray.neg);
+  out.t = sphere_distance(-cand.cz, part1, ray.neg);
   return !ray.cull && out.t > ray.tmin;
 }
 

@@ -25,9 +25,9 @@ inline bool ray_prim(const test_ray_t& ray, const prim_slot_t& prim, ctx_t ctx, 
     out.u = magnitude(e.u);
     out.v = magnitude(e.v);
     out.det = magnitude(e.u + e.v + e.w);
-    out.az = a.z;
-    out.bz = b.z;
-    out.cz = c.z;
+    out.az = -a.z;
+    out.bz = -b.z;
+    out.cz = -c.z;
   } else {
     const std::int64_t radius = static_cast<std::int64_t>(prim.b.x);
     if (!radius_legal(prim.b.x)) return false;
@@ -38,7 +38,7 @@ inline bool ray_prim(const test_ray_t& ray, const prim_slot_t& prim, ctx_t ctx, 
     out.det = static_cast<det_t>(s.disc);
     out.az = s.towards;
     out.bz = 0;
-    out.cz = c.z;
+    out.cz = -c.z;
   }
   out.ctx = ctx;
   out.number = prim.number;

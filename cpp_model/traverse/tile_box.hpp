@@ -12,7 +12,8 @@ inline constexpr std::int64_t kTileSlack = BoxMargin;  // steps
 
 // False only if no ray of the tile meets the box at t > 0.
 inline bool tile_box(const tile_bounds_t& bounds, const point_t& eye, const box_t& box) {
-  const delta3_t low = corner_delta(box.low, eye, bounds.axis), high = corner_delta(box.high, eye, bounds.axis);
+  const point_t org = permuted(eye, bounds.axis);
+  const delta3_t low = corner_delta(box.low, org, bounds.axis), high = corner_delta(box.high, org, bounds.axis);
   const std::int64_t first = bounds.neg ? -high.z : low.z, last = bounds.neg ? -low.z : high.z;
   const std::int64_t t0 = std::max<std::int64_t>(first, 0), t1 = std::max<std::int64_t>(last, 0);
   // t slope, the farthest to one side over t0 to t1, against a plane of the box.

@@ -6,6 +6,7 @@
 //   s0              |S| = min(q, 1 - 2^-ShearFrac); sx, sy with their signs
 //   s1-s3           sx^2, sy^2                             exact
 //   s4              norm2 = round(1 + sx^2 + sy^2)         NormFrac bits, halves up
+//   out             the origin permuted
 // rx, ry are left zero: slab_setup's. What the divisions do not need waits in a queue beside them.
 // A zero direction: valid 0, sx = sy = 0, norm2 = 1, axis 0, neg 0. A request not ok: valid 0.
 // One ray a cycle, in order; 4 + (ShearFrac + 3) + 5 stages. Four multipliers of 27x18.
@@ -144,7 +145,7 @@ module ray_setup
   end
 
   assign out_o = '{
-    tag: kept.tag, org: kept.org, sx: sx_q[4], sy: sy_q[4], norm2: norm2_q,
+    tag: kept.tag, org: permute(kept.org, rest_q[4].axis), sx: sx_q[4], sy: sy_q[4], norm2: norm2_q,
     axis: rest_q[4].axis, neg: rest_q[4].neg, valid: rest_q[4].valid && kept.ok,
     cull: kept.cull, any_hit: kept.any_hit, tmin: kept.tmin, tmax: kept.tmax, ignore: kept.ignore, rx: '0, ry: '0
   };

@@ -83,8 +83,9 @@ module hit_unit
   logic               sphere3;
   place_t             sphere_place;
 
+  // Of coordinates turned back. Both corners lie on the grid: it fits.
   function automatic delta_t minus(towards_t a, delta_t b);
-    return delta_t'(a) - b;  // both corners lie on the grid: it fits
+    return b - delta_t'(a);
   endfunction
 
   hit_norm u_norm (
@@ -162,7 +163,7 @@ module hit_unit
   hit_distance #(.PlaceW(PlaceW)) u_distance (
     .clk_i, .rst_ni,
     .put_i(take), .put_place_i(place_q), .put_ctx_i(in_i.ctx), .put_number_i(in_i.number), .put_kind_i(in_i.kind),
-    .put_cz_i(in_i.cz), .put_lane_i(in_lane_i), .put_ray_i(in_ray_i),
+    .put_cz_i(-in_i.cz), .put_lane_i(in_lane_i), .put_ray_i(in_ray_i),
     .q_valid_i(q_valid), .q_place_i(q_place), .q0_i(q0), .q1_i(q1), .scale0_i(scales.scale0), .scale1_i(scales.scale1),
     .done_o(retire_o), .out_valid_o, .out_o, .out_lane_o
   );

@@ -8,7 +8,7 @@
 // A child is dropped only if the line misses its box, or passes it where no hit that is reported for
 // its inside could lie between tmin and t: docs/number-formats.md, "The test of a node". Of a node
 // that no scene image may hold no child is visited, and error_o is set with out_valid_o.
-// One node a cycle, 8 cycles, never stalls. 12 DSPs.
+// One node a cycle, 8 cycles, never stalls. 20 DSPs.
 // Model: cpp_model/isect/node_pipe.hpp, equal bit for bit.
 module node_pipe
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
@@ -85,26 +85,26 @@ module node_pipe
     endcase
   end
 
-  // ---- What is needed again: written as a node enters, at the place of that cycle ----
+  // ---- What is needed again: the children's references are written into block RAM as a node enters, at the
+  // place of that cycle, and read a cycle before they are needed; the rest comes along ----
   localparam int unsigned PlaceW = $clog2(Stages);
   typedef logic [PlaceW-1:0] place_t;
   typedef struct packed {
     logic       neg;
     delta_t     dz;
     plane_exp_t ez;
-  } kept_plane_t;   // for s6
+  } plane_of_t;   // for s6
   typedef struct packed {
     ctx_t       ctx;
     logic       error;
     ref_t [3:0] target;
   } kept_node_t;    // for s8
 
-  place_t      place_q;
-  kept_plane_t kept_plane_q [1 << PlaceW], plane6;
-  kept_node_t  kept_node_q [1 << PlaceW], node8;
-  logic [3:0]  kept_exists_q [1 << PlaceW];   // for s7
-  assign plane6 = kept_plane_q[place_q - place_t'(5)];
-  assign node8  = kept_node_q[place_q - place_t'(7)];
+  place_t     place_q;
+  plane_of_t  plane_q [5];
+  logic [3:0] exists_q [6];   // for s7
+  (* ram_style = "block" *) kept_node_t kept_node_q [1 << PlaceW];
+  kept_node_t node8_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) place_q <= '0;
@@ -112,24 +112,28 @@ module node_pipe
   end
   always_ff @(posedge clk_i) begin
     if (in_valid_i) begin
-      kept_plane_q[place_q]  <= '{neg: in_ray_i.neg, dz: dz, ez: ez};
-      kept_node_q[place_q]   <= '{ctx: in_ctx_i, error: !legal, target: target};
-      kept_exists_q[place_q] <= legal ? exists : '0;
+      plane_q[0]           <= '{neg: in_ray_i.neg, dz: dz, ez: ez};
+      exists_q[0]          <= legal ? exists : '0;
+      kept_node_q[place_q] <= '{ctx: in_ctx_i, error: !legal, target: target};
     end
+    for (int unsigned i = 1; i < 5; i++) if (en[i]) plane_q[i] <= plane_q[i-1];
+    for (int unsigned i = 1; i < 6; i++) if (en[i]) exists_q[i] <= exists_q[i-1];
+    if (en[6]) node8_q <= kept_node_q[place_q - place_t'(6)];
   end
 
   // ---- s1 to s6 ----
-  logic [1:0] [9:0] mant;
+  logic [1:0] [9:0]  mant;
+  logic [1:0] [10:0] more;
   logic [1:0]       minus;
   slab_t [1:0]      slab_low, slab_high;
   logic [1:0] [3:0] left;
   slab_axis u_axis_x (
     .clk_i, .en_i(en[3:0]), .recip_i(in_ray_i.rx), .d_i(dx), .e_i(ex), .dz_i(dz), .ez_i(ez),
-    .mant_o(mant[0]), .minus_o(minus[0]), .low_o(slab_low[0]), .high_o(slab_high[0]), .left_o(left[0])
+    .mant_o(mant[0]), .more_o(more[0]), .minus_o(minus[0]), .low_o(slab_low[0]), .high_o(slab_high[0]), .left_o(left[0])
   );
   slab_axis u_axis_y (
     .clk_i, .en_i(en[3:0]), .recip_i(in_ray_i.ry), .d_i(dy), .e_i(ey), .dz_i(dz), .ez_i(ez),
-    .mant_o(mant[1]), .minus_o(minus[1]), .low_o(slab_low[1]), .high_o(slab_high[1]), .left_o(left[1])
+    .mant_o(mant[1]), .more_o(more[1]), .minus_o(minus[1]), .low_o(slab_low[1]), .high_o(slab_high[1]), .left_o(left[1])
   );
 
   logic  limits_none;
@@ -144,16 +148,16 @@ module node_pipe
   for (genvar i = 0; i < 4; i++) begin : g_child
     slab_child u_child (
       .clk_i, .en_i(en[5:0]), .box_i(box[i]), .axis_i(in_ray_i.axis),
-      .mant_i(mant), .minus_i(minus), .low_i(slab_low), .high_i(slab_high), .left_i(left),
+      .mant_i(mant), .more_i(more), .minus_i(minus), .low_i(slab_low), .high_i(slab_high), .left_i(left),
       .none_o(none[i]), .low_o(low[i]), .high_o(high[i])
     );
   end
 
   // ---- s6 to s8 ----
   node_order u_order (
-    .clk_i, .en_i(en[7:5]), .neg_i(plane6.neg), .dz_i(plane6.dz), .ez_i(plane6.ez),
-    .exists_i(kept_exists_q[place_q - place_t'(6)]), .none_i(none), .low_i(low), .high_i(high),
-    .limits_none_i(limits_none), .first_i(first), .last_i(last), .target_i(node8.target),
+    .clk_i, .en_i(en[7:5]), .neg_i(plane_q[4].neg), .dz_i(plane_q[4].dz), .ez_i(plane_q[4].ez),
+    .exists_i(exists_q[5]), .none_i(none), .low_i(low), .high_i(high),
+    .limits_none_i(limits_none), .first_i(first), .last_i(last), .target_i(node8_q.target),
     .out_o
   );
 
@@ -163,8 +167,8 @@ module node_pipe
   end
   always_ff @(posedge clk_i) begin
     if (en[Stages-1]) begin
-      out_ctx_o <= node8.ctx;
-      error_o   <= node8.error;
+      out_ctx_o <= node8_q.ctx;
+      error_o   <= node8_q.error;
     end
   end
 endmodule

@@ -3,8 +3,8 @@
 // left to divide. The ray is P = org + z (Sx, Sy, 1) on permuted axes.
 //           triangle A, B, C                          sphere, centre in a, radius R in b.x
 //   s1-s3   sheared corners          (shear)          X, Y; N = |S|^2 R on B's multiplier
-//   s4-s6   six products             (edge_fns)       the same six multipliers, and Y Sy
-//   s7      U, V, W and their signs                   Z
+//   s4-s6   six products             (edge_fns)       the same six multipliers, and N R
+//   s7      U, V, W and their signs                   Z, and two sums of products
 //   s8      accepted?                (accept)         Z^2 in s7-s9   (sphere_disc)
 //   s9      |U|, |V|, |det|
 //   s10     wait for the spheres                      disc, accepted if not negative
@@ -12,7 +12,7 @@
 // One test a cycle, 11 cycles from in_valid_i to out_valid_o or retire_o (never both), never
 // stalls; out_o.ctx is the test's either way. An empty slot (NoPrim), and a sphere of radius 0 or
 // of 2^(CoordW-1) and more, is never accepted. 28 DSPs. What only an accepted test needs again waits
-// in small memories, not in every stage.
+// in block RAM, not in every stage.
 // Model: cpp_model/isect/ray_prim.hpp, equal bit for bit.
 module ray_prim
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -63,100 +63,79 @@ module ray_prim
     cull_q   <= cull[5:0];
   end
 
-  // ---- s1 to s3: sheared corners ----
+  // ---- s1 to s3: sheared corners; x and y complemented, z turned back ----
   delta_t             ax, ay, az, bx, by, bz, cx, cy, cz;
   sheared_t           sheared_ax, sheared_ay, sheared_bx, sheared_by, sheared_cx, sheared_cy;
   shear_t             sx, sy;
   assign sx = in_ray_i.sx;
   assign sy = in_ray_i.sy;
 
-  corner_delta #(.Points(3)) u_delta (
+  corner_delta #(.Points(3), .Back(1'b1)) u_delta (
     .point_i({in_prim_i.c, in_prim_i.b, in_prim_i.a}), .org_i(in_ray_i.org), .axis_i(in_ray_i.axis),
     .x_o({cx, bx, ax}), .y_o({cy, by, ay}), .z_o({cz, bz, az})
   );
 
-  // A sphere's N = |S|^2 R, in units of two steps, is what B's shear makes of x = 2 R, z = R and
-  // -sx = |S|^2 - 2, which lies in [-1, 1): norm2 without its top bit, the next one then its sign.
+  // A sphere's N = |S|^2 R, in units of two steps, is what B's shear makes of x = 2 R, -z = R and
+  // sx = |S|^2 - 2, which lies in [-1, 1): norm2 without its top bit, the next one then its sign.
   delta_t radius_delta;
-  shear_t back_x, back_y;
   assign radius_delta = delta_t'({1'b0, radius});
-  assign back_x       = -sx;
-  assign back_y       = -sy;
 
-  shear u_shear_a (.clk_i, .en_i(live[2:0]), .x_i(ax), .y_i(ay), .z_i(az), .back_x_i(back_x), .back_y_i(back_y),
+  shear u_shear_a (.clk_i, .en_i(live[2:0]), .not_x_i(ax), .not_y_i(ay), .back_z_i(az), .sx_i(sx), .sy_i(sy),
                    .x_o(sheared_ax), .y_o(sheared_ay));
-  shear u_shear_b (.clk_i, .en_i(live[2:0]), .x_i(is_sphere ? radius_delta <<< 1 : bx), .y_i(by),
-                   .z_i(is_sphere ? radius_delta : bz),
-                   .back_x_i(is_sphere ? {in_ray_i.norm2[NormFrac:0], 2'b00} : back_x), .back_y_i(back_y),
+  shear u_shear_b (.clk_i, .en_i(live[2:0]), .not_x_i(is_sphere ? ~(radius_delta <<< 1) : bx), .not_y_i(by),
+                   .back_z_i(is_sphere ? radius_delta : bz),
+                   .sx_i(is_sphere ? {in_ray_i.norm2[NormFrac:0], 2'b00} : sx), .sy_i(sy),
                    .x_o(sheared_bx), .y_o(sheared_by));
-  shear u_shear_c (.clk_i, .en_i(live[2:0]), .x_i(cx), .y_i(cy), .z_i(cz), .back_x_i(back_x), .back_y_i(back_y),
+  shear u_shear_c (.clk_i, .en_i(live[2:0]), .not_x_i(cx), .not_y_i(cy), .back_z_i(cz), .sx_i(sx), .sy_i(sy),
                    .x_o(sheared_cx), .y_o(sheared_cy));
 
-  // ---- What is needed again: written as a test enters, at the place of that cycle ----
+  // ---- What is needed again: written into block RAM as a test enters, at the place of that cycle, and read
+  // a cycle before it is needed ----
   localparam int unsigned PlaceW = $clog2(Stages);
   localparam int unsigned Places = 1 << PlaceW;
   typedef logic [PlaceW-1:0] place_t;
   typedef struct packed {
+    ctx_t   ctx;
     prim_t  number;
-    delta_t cz;
+    delta_t az, bz, cz;   // of a triangle; of a sphere cz is its centre's
   } kept_t;
-  typedef struct packed {
-    shear_t sx, sy;
-  } kept_shear_t;
 
-  place_t       place_q;
-  ctx_t         kept_ctx_q [Places];     // of any test
-  kept_t        kept_q [Places];
-  typedef struct packed {
-    delta_t az, bz;
-  } kept_z_t;
-  kept_z_t      kept_z_q [Places];       // of a triangle
-  kept_shear_t  kept_shear_q [Places];   // of a sphere
-  coord_t       kept_radius_q [Places];
+  place_t place_q;
+  (* ram_style = "block" *) kept_t kept_q [Places];
+  kept_t  kept10_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) place_q <= '0;
     else place_q <= place_q + 1'b1;
   end
   always_ff @(posedge clk_i) begin
-    if (test[0]) kept_ctx_q[place_q] <= in_ctx_i;
-    if (live[0]) begin
-      kept_q[place_q]   <= '{number: in_prim_i.number, cz: is_sphere ? az : cz};
-      kept_z_q[place_q] <= '{az: az, bz: bz};
-    end
-    if (live[0] && sphere[0]) begin
-      kept_shear_q[place_q]  <= '{sx: sx, sy: sy};
-      kept_radius_q[place_q] <= radius;
-    end
+    if (test[0]) kept_q[place_q] <= '{ctx: in_ctx_i, number: in_prim_i.number, az: az, bz: bz, cz: is_sphere ? az : cz};
+    if (test[Stages-2]) kept10_q <= kept_q[place_q - place_t'(Stages - 2)];
   end
 
-  // A sphere's operands of s4.
-  shear_t      sx3_q, sy3_q;
-  delta_t      radius3_q;
-  kept_shear_t kept_shear;
-  assign kept_shear = kept_shear_q[place_q - place_t'(2)];
+  // A sphere's operands of s4 come along.
+  typedef struct packed {
+    shear_t sx, sy;
+    coord_t radius;
+  } operands_t;
+  operands_t operands1_q, operands2_q, operands3_q;
   always_ff @(posedge clk_i) begin
-    if (live[2] && sphere[2]) begin
-      sx3_q     <= kept_shear.sx;
-      sy3_q     <= kept_shear.sy;
-      radius3_q <= delta_t'({1'b0, kept_radius_q[place_q - place_t'(2)]});
-    end
+    if (live[0] && sphere[0]) operands1_q <= '{sx: sx, sy: sy, radius: radius};
+    if (live[1] && sphere[1]) operands2_q <= operands1_q;
+    if (live[2] && sphere[2]) operands3_q <= operands2_q;
   end
 
   // ---- s4 to s7: edge functions ----
-  mul54_t p0, p1, p2, p3, p4, p5;
-  edge_fn_t           u7, v7, w7;
-  logic               u_neg7, v_neg7, w_neg7, point7;
+  mul_sum_t             v6, u7, v7, w7;
+  logic               u_up7, v_up7, w_up7, point7;
   logic               triangle7_q, neg7_q, cull7_q;
 
   edge_fns u_edge_fns (
-    .clk_i, .en_i(live[5:3]), .fns_en_i(live[6] && !sphere[6]),
+    .clk_i, .en_i(live[6:3]),
     .ax_i(sheared_ax), .ay_i(sheared_ay), .bx_i(sheared_bx), .by_i(sheared_by),
     .cx_i(sheared_cx), .cy_i(sheared_cy),
-    .sphere_i(sphere[3]), .sx_i(sx3_q), .sy_i(sy3_q), .reach_i(sheared_bx), .radius_i(radius3_q),
-    .p0_o(p0), .p1_o(p1), .p2_o(p2), .p3_o(p3), .p4_o(p4), .p5_o(p5),
-    .u_o(u7), .v_o(v7), .w_o(w7),
-    .u_neg_o(u_neg7), .v_neg_o(v_neg7), .w_neg_o(w_neg7), .point_o(point7)
+    .sphere_i(sphere[3]), .sx_i(operands3_q.sx), .sy_i(operands3_q.sy), .sums_i(sphere[6]),
+    .v_d_o(v6), .u_o(u7), .v_o(v7), .w_o(w7), .u_up_o(u_up7), .v_up_o(v_up7), .w_up_o(w_up7), .point_o(point7)
   );
 
   always_ff @(posedge clk_i) begin
@@ -174,8 +153,8 @@ module ray_prim
 
   accept u_accept (
     .clk_i, .rst_ni, .valid_i(triangle7_q), .neg_i(neg7_q), .cull_i(cull7_q),
-    .u_i(u7), .v_i(v7), .w_i(w7),
-    .u_neg_i(u_neg7), .v_neg_i(v_neg7), .w_neg_i(w_neg7), .point_i(point7),
+    .u_i(edge_fn_t'(u7)), .v_i(edge_fn_t'(v7)), .w_i(edge_fn_t'(w7)),
+    .u_up_i(u_up7), .v_up_i(v_up7), .w_up_i(w_up7), .point_i(point7),
     .valid_o(triangle9), .u_o(u9), .v_o(v9), .det_o(det9)
   );
 
@@ -192,21 +171,14 @@ module ray_prim
   end
 
   sphere_disc u_sphere_disc (
-    .clk_i, .rst_ni, .en_i(live[6:3] & sphere[6:3]), .y_i(sheared_ay), .sy_i(sy3_q),
-    .p_xx_i(p0), .p_yy_i(p4), .p_xsx_i(p2), .p_ysx_i(p3), .p_xsy_i(p5), .p_nr_i(p1),
+    .clk_i, .rst_ni, .en_i(live[6:3] & sphere[6:3]), .reach_i(sheared_bx), .radius_i(delta_t'({1'b0, operands3_q.radius})),
+    .cross_i(v6), .along_i(u7), .square_i(w7),
     .valid_o(sphere10), .disc_o(disc10), .towards_o(towards10)
   );
 
   // ---- s11 ----
-  logic     accepted10;
-  kept_t    kept10;
-  kept_z_t  kept_z10;
-  delta_t   az10, bz10;
-  assign az10 = kept_z10.az;
-  assign bz10 = kept_z10.bz;
+  logic accepted10;
   assign accepted10 = triangle10_q || sphere10;
-  assign kept10     = kept_q[place_q - place_t'(Stages - 1)];
-  assign kept_z10   = kept_z_q[place_q - place_t'(Stages - 1)];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -218,16 +190,16 @@ module ray_prim
     end
   end
   always_ff @(posedge clk_i) begin
-    if (test[Stages-1]) out_o.ctx <= kept_ctx_q[place_q - place_t'(Stages - 1)];
+    if (test[Stages-1]) out_o.ctx <= kept10_q.ctx;
     if (accepted10) begin
-      out_o.number <= kept10.number;
+      out_o.number <= kept10_q.number;
       out_o.kind   <= sphere10 ? KindSphere : KindTriangle;
       out_o.u      <= sphere10 ? '0 : u10_q;
       out_o.v      <= sphere10 ? '0 : v10_q;
       out_o.det    <= sphere10 ? disc10 : det10_q;
-      out_o.az     <= sphere10 ? towards10 : towards_t'(az10);
-      out_o.bz     <= sphere10 ? '0 : bz10;
-      out_o.cz     <= kept10.cz;
+      out_o.az     <= sphere10 ? towards10 : towards_t'(kept10_q.az);
+      out_o.bz     <= sphere10 ? '0 : kept10_q.bz;
+      out_o.cz     <= kept10_q.cz;
     end
   end
 endmodule

@@ -5,7 +5,7 @@
 // A tick of this axis is 2^-SubPlane of the wider of two spacings: 2^e / |S|, and 2^ez.
 //   s1  over = e + exp - ez; the shift from the product to ticks
 //   s2  product = D mant -+ Dz 2^16 / 2^exp          two DSPs: a shift by exp's lower bits is a product
-//       slack: what D mant may lack; mant's upper 10 bits for the planes
+//       slack: what D mant may lack; mant's upper 10 bits for the planes, and one more
 //   s3  base = product in ticks, cut to SubPlane + 11 bits; low, high
 //   s4  left: a tick of this axis is 2^left ticks of the dominant one, 15: or more
 // The ray crosses plane q between low + q mant and high + q (mant + 1), S negative: between
@@ -25,7 +25,8 @@ module slab_axis
   input  delta_t     dz_i,
   input  plane_exp_t ez_i,
 
-  output logic [9:0] mant_o,    // of s2
+  output logic [9:0]  mant_o,   // of s2
+  output logic [10:0] more_o,   // mant + 1
   output logic       minus_o,   // of s3
   output slab_t      low_o,
   output slab_t      high_o,
@@ -116,6 +117,7 @@ module slab_axis
       right2_q   <= right1_q;
       left2_q    <= to_left(over1_q);
       mant_o     <= plane_mant(recip1_q.mant, over1_q);
+      more_o     <= 11'(plane_mant(recip1_q.mant, over1_q)) + 1'b1;
     end
   end
 

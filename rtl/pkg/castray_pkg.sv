@@ -103,7 +103,7 @@ package castray_pkg;
     logic [RecipW-1:0] mant;
   } recip_t;
 
-  // A ray as a lane sees it: origin, shear on permuted axes, dominant axis and its sign.
+  // A ray as a lane sees it: origin and shear on permuted axes, dominant axis and its sign.
   typedef struct packed {
     pixel_tag_t tag;
     point_t     org;
@@ -196,6 +196,13 @@ package castray_pkg;
   // A box, both corners included.
   typedef struct packed { point_t high, low; } box_t;
 
+  // On axes permuted so that the dominant one comes last.
+  function automatic point_t permute(point_t p, axis_t axis);
+    return '{x: (axis == 2'd0) ? p.y : (axis == 2'd1) ? p.z : p.x,
+             y: (axis == 2'd0) ? p.z : (axis == 2'd1) ? p.x : p.y,
+             z: (axis == 2'd0) ? p.x : (axis == 2'd1) ? p.y : p.z};
+  endfunction
+
   // A part of the scene that some ray of a tile may meet.
   typedef struct packed {
     box_t box;
@@ -235,9 +242,9 @@ package castray_pkg;
   } test_ray_t;
 
   // A primitive accepted by the exact test; what is left is to divide.
-  // Triangle: |U|, |V|, |det| and the dominant coordinates of its corners from the origin.
+  // Triangle: |U|, |V|, |det| and the dominant coordinates of the origin from its corners.
   // Sphere: det holds the discriminant in units of two square steps, az the projection
-  // X Sx + Y Sy (in quarter steps, see hit_unit), cz the centre's dominant coordinate.
+  // X Sx + Y Sy (in quarter steps, see hit_unit), cz the dominant coordinate of the origin from the centre.
   typedef struct packed {
     ctx_t         ctx;
     prim_t        number;

@@ -33,66 +33,74 @@ module nearest
   output logic            out_found_o,
   output result_t         out_o
 );
+  // What the next steps read is a memory of its own.
+  localparam int unsigned LowW = $bits(t_t) - 1 - DistW;
   typedef struct packed {
-    logic  found;
-    logic  kind;
-    prim_t number;
-    t_t    t;
-  } key_t;
+    logic           found;
+    logic [DistW:0] t_high;
+  } reach_t;
+  typedef struct packed {
+    logic            kind;
+    prim_t           number;
+    logic [LowW-1:0] t_low;
+  } rest_t;
+  typedef logic signed [$bits(t_t)+PrimW-1:0] order_t;   // a distance, then a number
 
-  key_t  key_q [Contexts];
-  bary_t u_q   [Contexts];
-  bary_t v_q   [Contexts];
+  reach_t reach_q [Contexts];
+  rest_t  rest_q  [Contexts];
+  bary_t  u_q     [Contexts];
+  bary_t  v_q     [Contexts];
 
   logic [IdxW-1:0] at;
-  key_t            held;
-  logic signed [CoordW+TFrac:0] t_held, t_new;
+  order_t          held, fresh;
+  t_t              t_new;
   logic            write;
 
-  assign at = start_i ? start_ctx_i : IdxW'(result_i.ctx);
+  assign t_new = start_i ? tmax_i : result_i.t;
+  assign at    = start_i ? start_ctx_i : IdxW'(result_i.ctx);
   always_comb begin
-    held   = '0;
-    t_held = '0;
-    t_new  = '0;
-    write  = 1'b0;
+    held  = '0;
+    fresh = '0;
+    write = 1'b0;
     if (result_valid_i && !start_i) begin
-      held   = key_q[at];
-      t_held = held.t;
-      t_new  = result_i.t;
-      write  = t_new < t_held || (t_new == t_held && result_i.number < held.number);
+      held  = {reach_q[at].t_high, rest_q[at].t_low, rest_q[at].number};
+      fresh = {result_i.t, result_i.number};
+      write = fresh < held;
     end
   end
 
   always_ff @(posedge clk_i) begin
     if (start_i) begin
-      key_q[at] <= '{found: 1'b0, kind: KindTriangle, number: '0, t: tmax_i};
+      reach_q[at] <= '{found: 1'b0, t_high: t_new[LowW +: DistW+1]};
+      rest_q[at]  <= '{kind: KindTriangle, number: '0, t_low: t_new[LowW-1:0]};
     end else if (write) begin
-      key_q[at] <= '{found: 1'b1, kind: result_i.kind, number: result_i.number, t: result_i.t};
-      u_q[at]   <= result_i.u;
-      v_q[at]   <= result_i.v;
+      reach_q[at] <= '{found: 1'b1, t_high: t_new[LowW +: DistW+1]};
+      rest_q[at]  <= '{kind: result_i.kind, number: result_i.number, t_low: t_new[LowW-1:0]};
+      u_q[at]     <= result_i.u;
+      v_q[at]     <= result_i.v;
     end
   end
 
   // The upper bits of a distance, zero for a negative one.
-  function automatic dist_t reach(t_t t);
-    return t[CoordW+TFrac] ? '0 : t[CoordW+TFrac-1 -: DistW];
+  function automatic dist_t reach(logic [DistW:0] t_high);
+    return t_high[DistW] ? '0 : t_high[DistW-1:0];
   endfunction
 
-  key_t node_key;
-  assign node_key     = key_q[node_ctx_i];
-  assign node_t_o     = node_key.t;
+  assign node_t_o = {reach_q[node_ctx_i].t_high, rest_q[node_ctx_i].t_low};
   for (genvar i = 0; i < 2; i++) begin : g_step
-    key_t step_key;
-    assign step_key        = key_q[step_ctx_i[i]];
-    assign step_reach_o[i] = reach(step_key.t);
-    assign step_found_o[i] = step_key.found;
+    reach_t step_reach;
+    assign step_reach      = reach_q[step_ctx_i[i]];
+    assign step_reach_o[i] = reach(step_reach.t_high);
+    assign step_found_o[i] = step_reach.found;
   end
 
-  key_t out_key;
-  assign out_key     = key_q[out_ctx_i];
-  assign out_found_o = out_key.found;
+  reach_t out_reach;
+  rest_t  out_rest;
+  assign out_reach   = reach_q[out_ctx_i];
+  assign out_rest    = rest_q[out_ctx_i];
+  assign out_found_o = out_reach.found;
   assign out_o = '{
-    ctx: CtxW'(out_ctx_i), number: out_key.number, kind: out_key.kind, t: out_key.t,
-    u: out_key.found ? u_q[out_ctx_i] : '0, v: out_key.found ? v_q[out_ctx_i] : '0
+    ctx: CtxW'(out_ctx_i), number: out_rest.number, kind: out_rest.kind, t: {out_reach.t_high, out_rest.t_low},
+    u: out_reach.found ? u_q[out_ctx_i] : '0, v: out_reach.found ? v_q[out_ctx_i] : '0
   };
 endmodule

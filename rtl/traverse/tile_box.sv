@@ -39,7 +39,7 @@ module tile_box
   // ---- s1 ----
   delta_t low_x, low_y, low_z, high_x, high_y, high_z;
   corner_delta #(.Points(2)) u_delta (
-    .point_i(box_i), .org_i(eye_i), .axis_i(bounds_i.axis),   // {high, low}
+    .point_i(box_i), .org_i(permute(eye_i, bounds_i.axis)), .axis_i(bounds_i.axis),   // {high, low}
     .x_o({high_x, low_x}), .y_o({high_y, low_y}), .z_o({high_z, low_z})
   );
 

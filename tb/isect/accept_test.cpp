@@ -47,10 +47,13 @@ class Accept : public testing::TestWithParam<Stalls> {
  private:
   void set(const Case& c) {
     dut_->neg_i = c.neg, dut_->cull_i = c.cull, dut_->point_i = c.e.point;
-    set_signed(dut_->u_i, c.e.u, edge_fn_t_bits), dut_->u_neg_i = c.e.u_neg;
-    set_signed(dut_->v_i, c.e.v, edge_fn_t_bits), dut_->v_neg_i = c.e.v_neg;
-    set_signed(dut_->w_i, c.e.w, edge_fn_t_bits), dut_->w_neg_i = c.e.w_neg;
+    const bool u_up = up(c.e.u, c.e.u_neg), v_up = up(c.e.v, c.e.v_neg), w_up = up(c.e.w, c.e.w_neg);
+    set_signed(dut_->u_i, c.e.u - !u_up, edge_fn_t_bits), dut_->u_up_i = u_up;
+    set_signed(dut_->v_i, c.e.v - !v_up, edge_fn_t_bits), dut_->v_up_i = v_up;
+    set_signed(dut_->w_i, c.e.w - !w_up, edge_fn_t_bits), dut_->w_up_i = w_up;
   }
+  // A zero's up is its sign, another's is either.
+  static bool up(std::int64_t x, bool negative) { return x == 0 ? !negative : x % 2 == 0; }
   bool check(const Case* c) {
     const bool want = c && accept(c->e, c->neg, c->cull);
     EXPECT_EQ(bool(dut_->valid_o), want);
@@ -123,7 +126,8 @@ TEST_F(Accept, KeepsAResultUntilTheNextOne) {
 
 TEST_F(Accept, ResetEmptiesIt) {
   dut_->u_i = dut_->v_i = dut_->w_i = 1;
-  dut_->u_neg_i = dut_->v_neg_i = dut_->w_neg_i = dut_->point_i = dut_->cull_i = 0;
+  dut_->u_up_i = dut_->v_up_i = dut_->w_up_i = 1;
+  dut_->point_i = dut_->cull_i = 0;
   dut_->valid_i = 1;
   for (int i = 0; i < kStages; ++i) dut_.tick();
   EXPECT_TRUE(dut_->valid_o);

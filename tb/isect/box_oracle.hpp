@@ -56,12 +56,11 @@ inline ref_word_t child_ref(const node_t& node, int i) {
 }
 inline Box box_of(const node_t& node, int i, const slab_ray_t& ray) {
   const child_box_t& b = child_box(node, i);
-  const auto plane = [](coord_t from, plane_t q, plane_exp_t exp, coord_t org) {
-    return static_cast<std::int64_t>(from + (q << exp)) - static_cast<std::int64_t>(org);
-  };
+  const auto plane = [](coord_t from, plane_t q, plane_exp_t exp) { return static_cast<std::int64_t>(from + (q << exp)); };
   const auto corner = [&](plane_t x, plane_t y, plane_t z) {
-    return permute({plane(node.x, x, node.exp_x, ray.org.x), plane(node.y, y, node.exp_y, ray.org.y),
-                    plane(node.z, z, node.exp_z, ray.org.z)}, ray.axis);
+    const delta3_t at = permute({plane(node.x, x, node.exp_x), plane(node.y, y, node.exp_y), plane(node.z, z, node.exp_z)}, ray.axis);
+    const auto from = [](std::int64_t p, coord_t org) { return p - static_cast<std::int64_t>(org); };
+    return delta3_t{from(at.x, ray.org.x), from(at.y, ray.org.y), from(at.z, ray.org.z)};
   };
   return {corner(b.x0, b.y0, b.z0), corner(b.x1, b.y1, b.z1)};
 }

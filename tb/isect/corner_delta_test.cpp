@@ -13,11 +13,11 @@ class CornerDelta : public testing::Test {
   // The unit's answer, which must be the model's.
   delta3_t at(const point_t& point, const point_t& org, axis_t axis) {
     set_port(top_.point_i, point);
-    set_port(top_.org_i, org);
+    set_port(top_.org_i, permuted(org, axis));
     top_.axis_i = axis;
     top_.eval();
     const delta3_t got{get_signed(top_.x_o, delta_t_bits), get_signed(top_.y_o, delta_t_bits), get_signed(top_.z_o, delta_t_bits)};
-    const delta3_t want = corner_delta(point, org, axis);
+    const delta3_t want = corner_delta(point, permuted(org, axis), axis);
     EXPECT_TRUE(got.x == want.x && got.y == want.y && got.z == want.z)
         << to_text(point) << " from " << to_text(org) << " axis " << int(axis) << ": " << got.x << " " << got.y << " " << got.z;
     return got;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edge functions: exact, the sign of every zero, a sphere's six products on the same multipliers.
+// Edge functions: exact, the sign of every zero, a sphere's sums of products on the same multipliers.
 #include "Vedge_fns.h"
 #include "chain_run.hpp"
 #include "isect/edge_fns.hpp"
@@ -22,15 +22,16 @@ class EdgeFns : public testing::TestWithParam<Stalls> {
   }
   // Four stages. The result of the last triangle is the answer.
   edge_fns_t run(const std::vector<Sheared>& triangles, Stalls stalls = {}) {
-    dut_->sphere_i = 0;
+    dut_->sphere_i = dut_->sums_i = 0;
     edge_fns_t got;
     run_chain(
         dut_, 4, triangles.size(), stalls, [&](std::size_t i) { corners(triangles[i]); },
-        [&](unsigned load) { dut_->en_i = load & 7, dut_->fns_en_i = load >> 3; },
+        [&](unsigned load) { dut_->en_i = load; },
         [&](std::size_t i) {
-          got.u = get_signed(dut_->u_o, edge_fn_t_bits), got.u_neg = dut_->u_neg_o;
-          got.v = get_signed(dut_->v_o, edge_fn_t_bits), got.v_neg = dut_->v_neg_o;
-          got.w = get_signed(dut_->w_o, edge_fn_t_bits), got.w_neg = dut_->w_neg_o;
+          // What comes is less one unless its zero would be positive; its sign is the function's.
+          got.u = get_signed(dut_->u_o, mul_sum_t_bits), got.u_neg = got.u < 0, got.u += !dut_->u_up_o;
+          got.v = get_signed(dut_->v_o, mul_sum_t_bits), got.v_neg = got.v < 0, got.v += !dut_->v_up_o;
+          got.w = get_signed(dut_->w_o, mul_sum_t_bits), got.w_neg = got.w < 0, got.w += !dut_->w_up_o;
           got.point = dut_->point_o;
           const Sheared& t = triangles[i];
           const edge_fns_t want = edge_fns(t.a, t.b, t.c);
@@ -105,37 +106,33 @@ TEST_P(EdgeFns, MatchesModel) {
   run(triangles, GetParam());
 }
 
-// X X, N R, X Sx, Y Sx, Y Y, X Sy, three stages on.
-TEST_P(EdgeFns, MultipliesForASphere) {
+// X Sx + Y Sy, X Sy - Y Sx, X^2 + Y^2, four stages on; the second a cycle earlier too.
+TEST_P(EdgeFns, AddsProductsForASphere) {
   struct Sphere {
-    std::int64_t x, y, sx, sy, reach, radius;
+    std::int64_t x, y, sx, sy;
   };
   Rng rng(4);
   std::vector<Sphere> spheres;
   const auto sheared = [&] { return rng.chance(4) ? -(std::int64_t{1} << CoordW) : rng.in(-(1 << CoordW), (1 << CoordW) - 1); };
-  for (int i = 0; i < 5000; ++i)
-    spheres.push_back({sheared(), sheared(), rng.shear(), rng.shear(), rng.in(0, (1 << CoordW) - 1), rng.in(0, kHalf - 1)});
-  dut_->fns_en_i = 0;
+  for (int i = 0; i < 5000; ++i) spheres.push_back({sheared(), sheared(), rng.shear(), rng.shear()});
+  dut_->sums_i = 1;
   run_chain(
-      dut_, 3, spheres.size(), GetParam(),
+      dut_, 4, spheres.size(), GetParam(),
       [&](std::size_t i) {
         const Sphere& s = spheres[i];
         corners({{s.x, s.y}, {rng.in(-9, 9), rng.in(-9, 9)}, {rng.in(-9, 9), rng.in(-9, 9)}});  // only A is read
         set_signed(dut_->sx_i, s.sx, shear_t_bits), set_signed(dut_->sy_i, s.sy, shear_t_bits);
-        set_signed(dut_->reach_i, s.reach, delta_t_bits), set_signed(dut_->radius_i, s.radius, delta_t_bits);
         dut_->sphere_i = 1;
       },
       [&](unsigned load) { dut_->en_i = load; },
       [&](std::size_t i) {
         const Sphere& s = spheres[i];
-        ASSERT_EQ(get_signed(dut_->p0_o, 54), s.x * s.x);
-        ASSERT_EQ(get_signed(dut_->p1_o, 54), s.reach * s.radius);
-        ASSERT_EQ(get_signed(dut_->p2_o, 54), s.x * s.sx);
-        ASSERT_EQ(get_signed(dut_->p3_o, 54), s.y * s.sx);
-        ASSERT_EQ(get_signed(dut_->p4_o, 54), s.y * s.y);
-        ASSERT_EQ(get_signed(dut_->p5_o, 54), s.x * s.sy);
+        ASSERT_EQ(get_signed(dut_->u_o, mul_sum_t_bits), s.x * s.sx + s.y * s.sy);
+        ASSERT_EQ(get_signed(dut_->v_o, mul_sum_t_bits), s.x * s.sy - s.y * s.sx);
+        ASSERT_EQ(get_signed(dut_->w_o, mul_sum_t_bits), s.x * s.x + s.y * s.y);
       });
 }
+
 INSTANTIATE_TEST_SUITE_P(Stalls, EdgeFns, testing::ValuesIn(kStallPatterns), [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

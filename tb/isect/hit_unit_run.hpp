@@ -83,7 +83,7 @@ inline HitCase triangle(std::uint64_t u, std::uint64_t v, std::uint64_t det, std
                  hit_ray_t ray = straight(false, -TMax)) {
   HitCase c;
   c.cand.u = u, c.cand.v = v, c.cand.det = det;
-  c.cand.az = az, c.cand.bz = bz, c.cand.cz = cz;
+  c.cand.az = -az, c.cand.bz = -bz, c.cand.cz = -cz;   // turned back
   c.cand.number = 5, c.cand.ctx = 3;
   c.ray = ray;
   return c;
@@ -92,7 +92,7 @@ inline HitCase triangle(std::uint64_t u, std::uint64_t v, std::uint64_t det, std
 inline HitCase sphere(std::int64_t cz, std::uint64_t disc, std::int64_t towards, hit_ray_t ray) {
   HitCase c;
   c.cand.kind = KindSphere;
-  c.cand.det = disc, c.cand.az = towards, c.cand.cz = cz;
+  c.cand.det = disc, c.cand.az = towards, c.cand.cz = -cz;
   c.cand.number = 6, c.cand.ctx = 4;
   c.ray = ray;
   return c;

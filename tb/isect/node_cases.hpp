@@ -84,9 +84,8 @@ inline NodeCase random_node_case(Rng& rng) {
     z = rng.in(-1, 1) * (rng.in(0, kGrid - 1) >> rng.in(0, CoordW - 1));
     if (rng.chance(2)) z &= -(std::int64_t{1} << rng.in(0, CoordW - 1));   // then S z may be whole
     const delta3_t from = {point.x - ((c.sx * z) >> ShearFrac), point.y - ((c.sy * z) >> ShearFrac), point.z - z};
-    const delta3_t w = unpermute(from, c.ray.axis);
-    const std::int64_t org[] = {static_cast<std::int64_t>(c.ray.org.x) + w.x, static_cast<std::int64_t>(c.ray.org.y) + w.y,
-                                static_cast<std::int64_t>(c.ray.org.z) + w.z};
+    const std::int64_t org[] = {static_cast<std::int64_t>(c.ray.org.x) + from.x, static_cast<std::int64_t>(c.ray.org.y) + from.y,
+                                static_cast<std::int64_t>(c.ray.org.z) + from.z};
     if (std::any_of(org, org + 3, [](std::int64_t x) { return x < 0 || x >= 2 * kHalf; })) continue;
     c.ray.org.x = static_cast<coord_t>(org[0]), c.ray.org.y = static_cast<coord_t>(org[1]), c.ray.org.z = static_cast<coord_t>(org[2]);
     break;

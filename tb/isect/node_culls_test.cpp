@@ -183,6 +183,7 @@ NodeCase through(Rng& rng, const node_t& node) {
   const delta3_t d = {towards(node.x, node.exp_x, c.ray.org.x), towards(node.y, node.exp_y, c.ray.org.y), towards(node.z, node.exp_z, c.ray.org.z)};
   const std::int64_t x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
   c.ray.axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  c.ray.org = permuted(c.ray.org, c.ray.axis);
   const delta3_t p = permute(d, c.ray.axis);
   c.ray.neg = p.z < 0;
   const auto shear = [&](std::int64_t k) { return p.z == 0 ? 0 : std::clamp((k << ShearFrac) / p.z, 1 - kOne, kOne - 1); };

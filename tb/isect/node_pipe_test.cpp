@@ -145,7 +145,7 @@ TEST(NodePipe, SaysWhatAChildIsBeyond) {
   for (const bool neg : {false, true}) {
     const auto least = [&](std::int64_t steps) {
       NodeCase c = straight(1, neg);
-      c.ray.org.y = static_cast<coord_t>(neg ? kGrid : 0);
+      c.ray.org.z = static_cast<coord_t>(neg ? kGrid : 0);   // along y
       c.node.y = static_cast<coord_t>(neg ? kGrid - steps - 255 : steps);
       set_child(c, 0, whole_box(), leaf(1));
       return run_one(c).e0.least;

@@ -60,13 +60,12 @@ struct Rng : std::mt19937_64 {
 
 inline std::int64_t clamp_grid(std::int64_t x) { return std::clamp<std::int64_t>(x, 0, kGrid - 1); }
 
-// org + (permuted vector d), kept inside the grid.
+// org + d, both on permuted axes, kept inside the grid.
 inline point_t at_delta(const test_ray_t& ray, const delta3_t& d) {
-  const delta3_t w = unpermute(d, ray.axis);
+  const auto at = [](coord_t org, std::int64_t by) { return clamp_grid(static_cast<std::int64_t>(org) + by); };
+  const delta3_t w = unpermute({at(ray.org.x, d.x), at(ray.org.y, d.y), at(ray.org.z, d.z)}, ray.axis);
   point_t p;
-  p.x = static_cast<std::uint64_t>(clamp_grid(static_cast<std::int64_t>(ray.org.x) + w.x));
-  p.y = static_cast<std::uint64_t>(clamp_grid(static_cast<std::int64_t>(ray.org.y) + w.y));
-  p.z = static_cast<std::uint64_t>(clamp_grid(static_cast<std::int64_t>(ray.org.z) + w.z));
+  p.x = static_cast<std::uint64_t>(w.x), p.y = static_cast<std::uint64_t>(w.y), p.z = static_cast<std::uint64_t>(w.z);
   return p;
 }
 

@@ -13,10 +13,13 @@ bool plain_accept(const PrimCase& t) {
   int128 x[3], y[3];
   const point_t* corners[3] = {&t.prim.a, &t.prim.b, &t.prim.c};
   for (int i = 0; i < 3; ++i) {
-    const point_t &p = *corners[i], &o = t.ray.org;
-    const std::int64_t d[3] = {std::int64_t(p.x) - std::int64_t(o.x), std::int64_t(p.y) - std::int64_t(o.y),
-                               std::int64_t(p.z) - std::int64_t(o.z)};
-    const int k = static_cast<int>(t.ray.axis);
+    const point_t& p = *corners[i];
+    const std::int64_t at[3] = {std::int64_t(p.x), std::int64_t(p.y), std::int64_t(p.z)};
+    const int k = static_cast<int>(t.ray.axis);   // the dominant axis; the origin's comes last
+    std::int64_t d[3];
+    d[k] = at[k] - std::int64_t(t.ray.org.z);
+    d[(k + 1) % 3] = at[(k + 1) % 3] - std::int64_t(t.ray.org.x);
+    d[(k + 2) % 3] = at[(k + 2) % 3] - std::int64_t(t.ray.org.y);
     const int128 z = d[k];
     x[i] = ((int128{d[(k + 1) % 3]} << ShearFrac) - t.ray.sx * z + kOne) >> (ShearFrac + 1);
     y[i] = ((int128{d[(k + 2) % 3]} << ShearFrac) - t.ray.sy * z + kOne) >> (ShearFrac + 1);

@@ -20,11 +20,11 @@ class Shear : public testing::TestWithParam<Stalls> {
         dut_, 3, corners.size(), stalls,
         [&](std::size_t i) {
           const Corner& c = corners[i];
-          set_signed(dut_->x_i, c.delta.x, delta_t_bits);
-          set_signed(dut_->y_i, c.delta.y, delta_t_bits);
-          set_signed(dut_->z_i, c.delta.z, delta_t_bits);
-          set_signed(dut_->back_x_i, -c.sx, shear_t_bits);
-          set_signed(dut_->back_y_i, -c.sy, shear_t_bits);
+          set_signed(dut_->not_x_i, ~c.delta.x, delta_t_bits);
+          set_signed(dut_->not_y_i, ~c.delta.y, delta_t_bits);
+          set_signed(dut_->back_z_i, -c.delta.z, delta_t_bits);
+          set_signed(dut_->sx_i, c.sx, shear_t_bits);
+          set_signed(dut_->sy_i, c.sy, shear_t_bits);
         },
         [&](unsigned load) { dut_->en_i = load; },
         [&](std::size_t i) {

@@ -42,7 +42,7 @@ class SlabAxis : public testing::TestWithParam<Stalls> {
           const slab_axis_t want = model(axes[i]);
           const auto text = [&] { return castray::to_text(axes[i].recip) + " d " + std::to_string(axes[i].d) + " dz " + std::to_string(axes[i].dz) +
                                          " e " + std::to_string(axes[i].e) + " ez " + std::to_string(axes[i].ez); };
-          if (stage == 1) ASSERT_EQ(dut_->mant_o, want.mant) << text();
+          if (stage == 1) ASSERT_TRUE(dut_->mant_o == want.mant && dut_->more_o == want.mant + 1) << text();
           if (stage == 2) {
             ASSERT_EQ(dut_->minus_o, want.minus) << text();
             ASSERT_EQ(get_signed(dut_->low_o, slab_t_bits), want.low) << text();

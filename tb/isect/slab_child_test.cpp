@@ -37,7 +37,7 @@ class SlabChild : public testing::TestWithParam<Stalls> {
             set_port(dut_->box_i, c.box);
             set_port(dut_->axis_i, c.axis);
           }
-          if (stage == 2) set_port(dut_->mant_i, both(c.x.mant, c.y.mant, 10));
+          if (stage == 2) set_port(dut_->mant_i, both(c.x.mant, c.y.mant, 10)), set_port(dut_->more_i, both(c.x.mant + 1, c.y.mant + 1, 11));
           if (stage == 3) {
             set_port(dut_->minus_i, both(c.x.minus, c.y.minus, 1));
             set_port(dut_->low_i, both(c.x.low, c.y.low, slab_t_bits));

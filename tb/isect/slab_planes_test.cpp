@@ -21,7 +21,7 @@ class SlabPlanes : public testing::TestWithParam<Stalls> {
         [&](int stage, std::size_t i) {
           const Planes& p = planes[i];
           if (stage == 0) dut_->q0_i = static_cast<unsigned char>(p.q0), dut_->q1_i = static_cast<unsigned char>(p.q1);
-          if (stage == 1) dut_->mant_i = static_cast<unsigned short>(p.axis.mant);
+          if (stage == 1) dut_->mant_i = static_cast<unsigned short>(p.axis.mant), dut_->more_i = static_cast<unsigned short>(p.axis.mant + 1);
           if (stage == 2) {
             dut_->minus_i = p.axis.minus;
             set_signed(dut_->low_i, p.axis.low, slab_t_bits);

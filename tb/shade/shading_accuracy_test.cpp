@@ -107,7 +107,7 @@ TEST_F(ShadingAccuracy, OfSpheresAwayFromTheirSilhouette) {
     if ((slot.a.x | slot.a.y | slot.a.z) >> CoordW) continue;
 
     test_ray_t ray;
-    ray.org = eye, ray.sx = hit.sx, ray.sy = hit.sy, ray.axis = hit.axis, ray.neg = hit.neg;
+    ray.org = permuted(eye, hit.axis), ray.sx = hit.sx, ray.sy = hit.sy, ray.axis = hit.axis, ray.neg = hit.neg;
     ray.norm2 = static_cast<norm2_t>(round_shift(kShearOne * kShearOne + hit.sx * hit.sx + hit.sy * hit.sy, 2 * ShearFrac - NormFrac));
     cand_t cand;
     result_t result;

@@ -88,9 +88,9 @@ def dsps(widths):
     w = defaults() | widths
     position, shear, quotient, recip = w["CoordW"] + 1, w["ShearFrac"] + 1, w["BaryFrac"] + 2, w["RecipW"] + 1
     return {
-        "isect/ray_prim": 7 * dsp(position, shear) + 3 * dsp(position, position) + 4 * dsp(position, max(position, shear)),
+        "isect/ray_prim": 6 * dsp(position, shear) + 4 * dsp(position, position) + 4 * dsp(position, max(position, shear)),
         "isect/hit_unit": dsp(position, quotient),
-        "isect/node_pipe": 4 * dsp(position, recip) + 8,
+        "isect/node_pipe": 4 * dsp(position, recip) + 16,
         "camera/ray_setup": 2 * dsp(shear, shear),
     }
 
