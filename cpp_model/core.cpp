@@ -69,17 +69,6 @@ Errors render_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, c
 
 }  // namespace
 
-WorkCounters& WorkCounters::operator+=(const WorkCounters& other) {
-  tests += other.tests;
-  rays += other.rays;
-  hits += other.hits;
-  candidates += other.candidates;
-  nodes += other.nodes;
-  tile_nodes += other.tile_nodes;
-  empty_tiles += other.empty_tiles;
-  return *this;
-}
-
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options) {
   const Loaded loaded = load(job, windows);
   if (loaded.error != ErrNone) {

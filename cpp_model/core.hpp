@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fixed.hpp"
+#include "work_counters.hpp"
 
 namespace castray {
 
@@ -18,19 +19,6 @@ struct Windows {
   std::span<std::uint8_t> frame;
   std::span<std::uint8_t> hits;
   std::span<const std::uint8_t> rays = {};
-};
-
-// The counters that do not depend on time.
-struct WorkCounters {
-  std::uint64_t tests = 0;
-  std::uint64_t rays = 0;
-  std::uint64_t hits = 0;
-  std::uint64_t candidates = 0;
-  std::uint64_t nodes = 0;
-  std::uint64_t tile_nodes = 0;   // read to start tiles
-  std::uint64_t empty_tiles = 0;  // filled with background
-  WorkCounters& operator+=(const WorkCounters& other);
-  bool operator==(const WorkCounters&) const = default;
 };
 
 // The errors of a job, or of a part of it: that of the first ray or tile that has one, and a bit for the code of each.

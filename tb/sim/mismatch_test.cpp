@@ -145,11 +145,14 @@ TEST_F(Mismatch, NamesTheFirstFewOfMany) {
 }
 
 TEST_F(Mismatch, CountersAreComparedToo) {
-  for (const auto counter : {CntTests, CntHits}) {
-    const sim::RunRtl core = erring([=](sim::Rendering& r) { ++r.counters[static_cast<std::size_t>(counter)]; });
-    const Outcome outcome = render(core, "");
+  for (const auto counter : {CntTests, CntRays, CntHits, CntCandidates, CntNodes, CntTileNodes, CntEmptyTiles}) {
+    std::uint64_t right = 0;
+    const Outcome outcome = render(erring([&](sim::Rendering& r) {
+                                     if (!r.hits.empty()) right = r.counters[static_cast<std::size_t>(counter)]++;
+                                   }), "--json " + path("a.json"));
     EXPECT_EQ(outcome.code, cli::kMismatch);
-    expect_lines(outcome.out, {"  the counters of tests or hits differ from the model's"});
+    EXPECT_NE(outcome.out.find(": " + std::to_string(right + 1) + ", in the model " + std::to_string(right) + "\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(nlohmann::json::parse(read(path("a.json")))["counters_differ"], 1);
   }
 }
 
