@@ -29,12 +29,15 @@ void print_counters(const Counts& counters, std::FILE* out) {
   };
   const std::string tiles = if_any(CntTileNodes, CntEmptyTiles, "; tiles: " + count(CntTileNodes) + " nodes read to start them, " + count(CntEmptyTiles) + " filled");
   const std::string attributes = if_any(CntAttrHits, CntAttrMisses, "; attributes: " + count(CntAttrHits) + " in the cache, " + count(CntAttrMisses) + " fetched");
-  if (counters[CntBatches] > 0)
+  if (counters[CntBatches] > 0) {
     std::fprintf(out, "  brute force: %s passes, %s cycles waiting for a lane, %s for a primitive\n", count(CntBatches).c_str(),
                  count(CntTestStalls).c_str(), count(CntFetchStalls).c_str());
-  else
+  } else {
     std::fprintf(out, "  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%%s\n", share(CntNodeHits, CntNodeMisses),
                  share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses), tiles.c_str());
+    std::fprintf(out, "  cycles of lanes in which a ray waited to look up a node %s, a leaf %s, a test for its queue %s\n", count(CntNodeWaits).c_str(),
+                 count(CntLeafWaits).c_str(), count(CntTestWaits).c_str());
+  }
   std::fprintf(out, "  read beats %s, write beats %s%s\n", count(CntReadBeats).c_str(), count(CntWriteBeats).c_str(), attributes.c_str());
 }
 
