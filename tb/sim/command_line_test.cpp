@@ -4,6 +4,7 @@
 // Cores: l1c32t3p1m0 l3c32t3p2m128
 #include <nlohmann/json.hpp>
 
+#include "cli/summary.hpp"
 #include "command_line.hpp"
 
 namespace castray::tb {
@@ -82,6 +83,13 @@ TEST_F(CommandLine, RendersChecksAndReports) {
   EXPECT_EQ(report["stalls"], "uniform");
   EXPECT_EQ(report["seed"], 5);
   EXPECT_GT(report["cycles"], 1000);
+  EXPECT_GT(report["cycles"], report["frame_alone"]["cycles"]) << "the hit buffer costs cycles";
+  const auto with_commas = [](std::uint64_t cycles) { return cli::grouped(cycles); };
+  for (const std::string& line : {"  cycles " + with_commas(report["cycles"]) + ", the hit buffer written as well\n",
+                                  "  the frame alone: cycles " + with_commas(report["frame_alone"]["cycles"]) + "; 0 of 384 pixels differ",
+                                  "waited to look up a node " + with_commas(report["node_waits"]) + ", a leaf " + with_commas(report["leaf_waits"]) +
+                                      ", a test for its queue " + with_commas(report["test_waits"]) + "\n"})
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "not in:\n" << outcome.out;
   const std::string wrote = "wrote " + path("a.png") + "\nwrote " + path("a.exr") + "\nwrote " + path("a.frame") + "\nwrote " + path("a.hits") + "\nwrote " + path("a.json") + "\n";
   EXPECT_TRUE(outcome.out.ends_with(wrote)) << outcome.out;
   EXPECT_EQ(fs::file_size(path("a.hits")), 384u * 32);
@@ -96,6 +104,14 @@ TEST_F(CommandLine, RendersChecksAndReports) {
   ASSERT_EQ(run("render scenes/spheres.json --engine float32 --size 16x24 -o " + path("d.png")).code, 0);
   EXPECT_EQ(run("compare " + path("a.png") + " " + path("d.png")).code, 1) << "other dimensions";
   EXPECT_EQ(run("compare " + path("a.png") + " " + path("none.png")).code, 2);
+}
+
+// Nothing else is said of a frame that is not checked.
+TEST_F(CommandLine, AFrameAloneHasItsOwnCycles) {
+  const Outcome outcome = run("render scenes/cube.json --size 16x16 -o " + path("a.png"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("hit buffer"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("frame alone"), std::string::npos) << outcome.out;
 }
 
 TEST_F(CommandLine, ShowsARay) {

@@ -29,7 +29,9 @@ sim::RunRtl pixel_error(int x, int y) {
   return erring([=](sim::Rendering& r) { r.pixels[r.index(x, y)] ^= 0x40; });
 }
 sim::RunRtl hit_error(int x, int y) {
-  return erring([=](sim::Rendering& r) { r.hits[r.index(x, y) * HitBytes + 12] ^= 1; });
+  return erring([=](sim::Rendering& r) {
+    if (!r.hits.empty()) r.hits[r.index(x, y) * HitBytes + 12] ^= 1;
+  });
 }
 
 class Mismatch : public CommandLine {
@@ -154,6 +156,23 @@ TEST_F(Mismatch, CountersAreComparedToo) {
     EXPECT_NE(outcome.out.find(": " + std::to_string(right + 1) + ", in the model " + std::to_string(right) + "\n"), std::string::npos) << outcome.out;
     EXPECT_EQ(nlohmann::json::parse(read(path("a.json")))["counters_differ"], 1);
   }
+}
+
+// What is seen only where no hit records are written: empty tiles are filled there.
+TEST_F(Mismatch, TheFrameAloneIsComparedToo) {
+  const auto alone = [&](auto&& fault) {
+    return render(erring([=](sim::Rendering& r) {
+                    if (r.hits.empty()) fault(r);
+                  }), "");
+  };
+  const Outcome pixel = alone([](sim::Rendering& r) { r.pixels[r.index(2, 1)] ^= 1; });
+  EXPECT_EQ(pixel.code, cli::kMismatch);
+  EXPECT_NE(pixel.out.find("; 1 of 192 pixels differ from the model\n  (2, 1)\n"), std::string::npos) << pixel.out;
+  const Outcome counter = alone([](sim::Rendering& r) { ++r.counters[CntEmptyTiles]; });
+  EXPECT_EQ(counter.code, cli::kMismatch);
+  EXPECT_NE(counter.out.find("\n  counter empty_tiles: "), std::string::npos) << counter.out;
+  const Outcome error = alone([](sim::Rendering& r) { r.error = ErrReadBus; });
+  EXPECT_EQ(error.code, cli::kDeviceError);
 }
 
 // The command as it is printed: the options of the core are in it, and a blank in a name.
