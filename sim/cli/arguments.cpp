@@ -90,6 +90,9 @@ void CoreArguments::add_to(CLI::App& command) {
           "how primitives are found: bvh, the hierarchy from each tile's start; bvh_root, from its root; brute, all are tested")
       ->check(CLI::IsMember(std::vector<std::string>(sim::kModeNames.begin(), sim::kModeNames.end())))
       ->capture_default_str();
+  command.add_option("--steps", steps, "nodes that a ray may visit, or the job ends with an error; 0: no limit")
+      ->check(CLI::Range(0, (1 << steps_t_bits) - 1))
+      ->capture_default_str();
   command.add_option("--memory", memory, "timing of the memory: reference, or hp with 8 requests outstanding")
       ->check(CLI::IsMember({"reference", "hp"}))->capture_default_str();
   command.add_option("--stalls", stalls, "pattern of stalls on the five channels of the memory")
@@ -129,3 +132,4 @@ std::string CoreArguments::text() const {
 }
 
 }  // namespace castray::cli
+  if (steps != none.steps) text += " --steps " + std::to_string(steps);

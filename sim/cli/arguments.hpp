@@ -50,6 +50,7 @@ struct CoreArguments {
   int ports = DefaultPorts;
   int l2_kbytes = DefaultL2Kbytes;
   std::string mode = name_of(sim::Mode::kBvh);
+  std::uint32_t steps = 0;
   std::string memory = "reference";
   std::string stalls = "none";
   bool reorder = false;

@@ -108,7 +108,7 @@ class Query {
 
   std::span<const std::uint8_t> asked() const { return std::span(records_).subspan(first_ * RayBytes, count_ * RayBytes); }
   std::span<const ListRay> asked_rays() const { return std::span(text_.rays).subspan(first_, count_); }
-  sim::QueryOptions options() const { return {.mode = args_.core.render_mode()}; }
+  sim::QueryOptions options() const { return {.mode = args_.core.render_mode(), .steps = args_.core.steps}; }
   sim::Progress progress(ProgressBar& bar) const {
     return [&bar](double fraction, std::uint64_t cycles) { bar.show(fraction, cycles); };
   }

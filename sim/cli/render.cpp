@@ -92,7 +92,7 @@ class Render {
   bool wants_hits() const { return args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty() || args_.work(); }
   sim::RenderOptions options(bool hits, std::optional<sim::PixelWindow> window = {}) const {
     return {
-        .hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
+        .hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .steps = args_.core.steps, .window = window};
   }
 
   sim::Progress progress(ProgressBar& bar) const {

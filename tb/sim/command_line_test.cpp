@@ -114,6 +114,18 @@ TEST_F(CommandLine, AFrameAloneHasItsOwnCycles) {
   EXPECT_EQ(outcome.out.find("frame alone"), std::string::npos) << outcome.out;
 }
 
+TEST_F(CommandLine, BoundsTheStepsOfARay) {
+  const std::string rays = file("rays.csv", "ox,oy,oz,dx,dy,dz\n0.3,0.2,5,0,0,-1\n");
+  for (const std::string& command : {"render scenes/cube.json --size 16x16 -o " + path("a.png"), "query scenes/cube.json " + rays + " -o " + path("a.csv")}) {
+    for (const std::string engine : {"rtl", "model"})
+      expect_refused(command + " --steps 1 --engine " + engine, 3, {"error 14", "more nodes than the job allows"});
+    for (const std::string steps : {"-1", "16777216", "few"}) expect_refused(command + " --steps " + steps, 2, {"steps", steps});
+    EXPECT_EQ(run(command + " --steps 1000 --check").code, 0);
+    EXPECT_EQ(run(command + " --steps 1 --mode brute").code, 0) << "no nodes, no limit to them";
+    for (const char* answer : {"a.png", "a.csv"}) fs::remove(path(answer));
+  }
+}
+
 TEST_F(CommandLine, ShowsARay) {
   const Outcome outcome = run("ray scenes/spheres.json 12 8 --size 24x16 --trace " + path("ray.fst") + kWithWaves);
   EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
