@@ -41,17 +41,6 @@ struct Outcome {
   WorkCounters counters;
 };
 
-// What happened to one ray, stage by stage.
-struct RayTrace {
-  pixel_tag_t tag;
-  dir_t dir;
-  ray_t ray;
-  std::vector<cand_t> candidates;
-  std::vector<result_t> results;
-  hit_t hit;
-  shaded_t shaded;
-  hit_record_t record;
-};
 
 // Called now and then with the share of pixels or rays done, 0 to 1.
 using Progress = std::function<void(double)>;
@@ -65,9 +54,5 @@ struct RunOptions {
 
 // Runs a job. On an error nothing more is written, unless every one is asked for.
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options = {});
-
-// The stages of the ray through pixel (x, y). Throws std::runtime_error with the error code's
-// number if the job is refused.
-RayTrace trace_pixel(const job_t& job, const Windows& windows, int x, int y);
 
 }  // namespace castray

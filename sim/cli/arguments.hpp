@@ -59,6 +59,8 @@ struct CoreArguments {
   void add_to(CLI::App& command);
   sim::RtlOptions options() const;
   sim::Mode render_mode() const;
+  // Renders one pixel again: with all that shares its start, the pixels of its tile.
+  sim::RenderOptions replay(const Scene& scene, int x, int y) const;
   // The options that differ from their defaults, as on a command line.
   std::string text() const;
 };

@@ -90,9 +90,9 @@ class Render {
 
   // Without a use for the hit records a core is not asked for them: they cost it cycles.
   bool wants_hits() const { return args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty() || args_.work(); }
-  sim::RenderOptions options(bool hits, std::optional<sim::PixelWindow> window = {}) const {
+  sim::RenderOptions options(bool hits) const {
     return {
-        .hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .steps = args_.core.steps, .window = window};
+        .hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .steps = args_.core.steps};
   }
 
   sim::Progress progress(ProgressBar& bar) const {
@@ -254,12 +254,12 @@ class Render {
                 i / width, scene_.width, scene_.height, args_.core.text().c_str());
   }
 
-  // Renders the one pixel again, with waveforms.
+  // Renders the pixel again, with waveforms.
   void trace_pixel(std::size_t i) const {
     const int x = static_cast<int>(i) % scene_.width, y = static_cast<int>(i) / scene_.width;
     sim::RtlOptions device = args_.core.options();
     device.trace_file = args_.trace;
-    context_.run_rtl(image_, device, options(true, sim::PixelWindow{x, y, x + 1, y + 1}), {});
+    context_.run_rtl(image_, device, args_.core.replay(scene_, x, y), {});
     std::printf("wrote %s, the waveforms of pixel (%d, %d)\n", args_.trace.c_str(), x, y);
   }
 

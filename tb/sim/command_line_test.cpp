@@ -124,13 +124,20 @@ TEST_F(CommandLine, BoundsTheStepsOfARay) {
     EXPECT_EQ(run(command + " --steps 1 --mode brute").code, 0) << "no nodes, no limit to them";
     for (const char* answer : {"a.png", "a.csv"}) fs::remove(path(answer));
   }
+  expect_refused("ray scenes/cube.json 8 8 --size 16x16 --steps 1", 3, {"more nodes than the job allows"});
 }
 
 TEST_F(CommandLine, ShowsARay) {
   const Outcome outcome = run("ray scenes/spheres.json 12 8 --size 24x16 --trace " + path("ray.fst") + kWithWaves);
   EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
-  for (const char* stage : {"ray_gen", "ray_setup", "ray_prim", "hit_unit", "lane", "shade", "hit record", "float64", "0 values differ"})
+  for (const char* stage : {"tile_bounds", "frontier", "tile_node", "tile_start", "ray_gen", "ray_setup", "goes to", "meets", "prim_tests", "ray_prim",
+                            "hit_unit", "lane", "shade", "hit record", "float64", "0 values differ"})
     EXPECT_NE(outcome.out.find(stage), std::string::npos) << stage;
+  for (const std::string work : {"\n  tests ", "\n  nodes "}) {
+    const std::size_t at = outcome.out.find(work, outcome.out.find("hit record"));
+    ASSERT_NE(at, std::string::npos) << work;
+    EXPECT_GT(std::stoi(outcome.out.substr(at + work.size())), 0) << work;
+  }
   EXPECT_GT(fs::file_size(path("ray.fst")), 1000u);
 }
 
