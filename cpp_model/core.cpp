@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core.hpp"
 
-#include <stdexcept>
-
 #include "camera/ray_gen.hpp"
 #include "camera/ray_setup.hpp"
 #include "camera/slab_setup.hpp"
 #include "camera/tile_walk.hpp"
 #include "in_parallel.hpp"
 #include "mem/hit_writer.hpp"
+#include "of_frame.hpp"
 #include "ray_list.hpp"
-#include "shade/shade.hpp"
-#include "traverse/tile_start.hpp"
 
 namespace castray {
 namespace {
-
-shaded_t colour_of(const hit_t& hit, const Loaded& loaded, const Windows& windows) {
-  if (!hit.found) return background(hit, loaded.paint);
-  return shade(hit, load_attr(windows.image.data(), loaded.header, hit.number), loaded.camera.eye, loaded.paint);
-}
-
-pixel_tag_t tag_of(int x, int y) {
-  pixel_tag_t tag;
-  tag.x = static_cast<std::uint64_t>(x);
-  tag.y = static_cast<std::uint64_t>(y);
-  return tag;
-}
 
 // A pixel into the frame and hit buffers.
 void write_pixel(const hit_t& hit, const work_t& work, const job_t& job, const Loaded& loaded, const Windows& windows) {
@@ -35,19 +20,9 @@ void write_pixel(const hit_t& hit, const work_t& work, const job_t& job, const L
   if (job.want_hits) store_record(&windows.hits[hit_offset(hit.tag, job.width)], hit_record(hit, job.want_work ? work : work_t{}));
 }
 
-TileStart start_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, const Windows& windows) {
-  if (job.brute || job.from_root) return {.start = TileRoot};
-  const Tree tree{.image = windows.image.data(), .header = &loaded.header, .limit = job.steps};
-  return tile_start(tile, loaded.camera, tree.root().first, [&](line_t index, node_t& node) {
-    if (index >= loaded.header.nodes.count) return false;
-    node = load_node(windows.image.data(), loaded.header, index);
-    return true;
-  });
-}
-
 // One tile into the frame and hit buffers.
 Errors render_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, const Windows& windows, bool every_error, WorkCounters& counters) {
-  const TileStart start = start_tile(tile, job, loaded, windows);
+  const TileStart start = start_tile(tile, job, loaded, windows, [](line_t) {});
   counters.tile_nodes += static_cast<std::uint64_t>(start.read);
   Errors errors = start.error;
   const bool empty = start.start == static_cast<std::uint64_t>(TileEmpty);
@@ -69,17 +44,6 @@ Errors render_tile(const tile_t& tile, const job_t& job, const Loaded& loaded, c
 
 }  // namespace
 
-WorkCounters& WorkCounters::operator+=(const WorkCounters& other) {
-  tests += other.tests;
-  rays += other.rays;
-  hits += other.hits;
-  candidates += other.candidates;
-  nodes += other.nodes;
-  tile_nodes += other.tile_nodes;
-  empty_tiles += other.empty_tiles;
-  return *this;
-}
-
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options) {
   const Loaded loaded = load(job, windows);
   if (loaded.error != ErrNone) {
@@ -93,25 +57,6 @@ Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& opti
   return in_parallel(tiles.size(), options, [&](std::size_t i, WorkCounters& counters) {
     return render_tile(tiles[i], job, loaded, windows, options.every_error, counters);
   });
-}
-
-RayTrace trace_pixel(const job_t& job, const Windows& windows, int x, int y) {
-  const Loaded loaded = load(job, windows);
-  if (loaded.error != ErrNone) throw std::runtime_error("the job is refused with error " + std::to_string(loaded.error));
-  RayTrace trace;
-  WorkCounters counters;
-  trace.tag = tag_of(x, y);
-  trace.dir = ray_gen(loaded.camera, x, y);
-  trace.ray = slab_setup(ray_setup(trace.dir, loaded.camera, trace.tag));
-  const TreeHit found = cast(trace.ray, job, loaded, windows, {}, counters, [&](const cand_t& cand, const result_t* result) {
-    trace.candidates.push_back(cand);
-    if (result) trace.results.push_back(*result);
-  });
-  if (found.error != ErrNone) throw std::runtime_error("the ray ends the job with error " + std::to_string(found.error));
-  trace.hit = found.hit;
-  trace.shaded = colour_of(trace.hit, loaded, windows);
-  trace.record = hit_record(trace.hit);
-  return trace;
 }
 
 }  // namespace castray

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fixed.hpp"
+#include "work_counters.hpp"
 
 namespace castray {
 
@@ -18,19 +19,6 @@ struct Windows {
   std::span<std::uint8_t> frame;
   std::span<std::uint8_t> hits;
   std::span<const std::uint8_t> rays = {};
-};
-
-// The counters that do not depend on time.
-struct WorkCounters {
-  std::uint64_t tests = 0;
-  std::uint64_t rays = 0;
-  std::uint64_t hits = 0;
-  std::uint64_t candidates = 0;
-  std::uint64_t nodes = 0;
-  std::uint64_t tile_nodes = 0;   // read to start tiles
-  std::uint64_t empty_tiles = 0;  // filled with background
-  WorkCounters& operator+=(const WorkCounters& other);
-  bool operator==(const WorkCounters&) const = default;
 };
 
 // The errors of a job, or of a part of it: that of the first ray or tile that has one, and a bit for the code of each.
@@ -53,17 +41,6 @@ struct Outcome {
   WorkCounters counters;
 };
 
-// What happened to one ray, stage by stage.
-struct RayTrace {
-  pixel_tag_t tag;
-  dir_t dir;
-  ray_t ray;
-  std::vector<cand_t> candidates;
-  std::vector<result_t> results;
-  hit_t hit;
-  shaded_t shaded;
-  hit_record_t record;
-};
 
 // Called now and then with the share of pixels or rays done, 0 to 1.
 using Progress = std::function<void(double)>;
@@ -77,9 +54,5 @@ struct RunOptions {
 
 // Runs a job. On an error nothing more is written, unless every one is asked for.
 Outcome run_job(const job_t& job, const Windows& windows, const RunOptions& options = {});
-
-// The stages of the ray through pixel (x, y). Throws std::runtime_error with the error code's
-// number if the job is refused.
-RayTrace trace_pixel(const job_t& job, const Windows& windows, int x, int y);
 
 }  // namespace castray

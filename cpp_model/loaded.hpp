@@ -28,9 +28,9 @@ struct Started {
 };
 
 // A lane's work for one ray, and what it adds to the counters.
-template <class Accepted>
+template <class Accepted, class Watch = NoWatch>
 TreeHit cast(const ray_t& ray, const job_t& job, const Loaded& loaded, const Windows& windows, const Started& started,
-             WorkCounters& counters, Accepted&& accepted) {
+             WorkCounters& counters, Accepted&& accepted, Watch&& watch = {}) {
   const auto on_accepted = [&](const cand_t& cand, const result_t* result) {
     ++counters.candidates;
     accepted(cand, result);
@@ -38,11 +38,11 @@ TreeHit cast(const ray_t& ray, const job_t& job, const Loaded& loaded, const Win
   TreeHit found;
   if (job.brute) {
     std::uint64_t tests = 0;
-    found.hit = lane(ray, loaded.slots, tests, on_accepted);
+    found.hit = lane(ray, loaded.slots, tests, on_accepted, watch);
     found.work.tests = tests;
   } else {
     const Tree tree{.image = windows.image.data(), .header = &loaded.header, .limit = job.steps, .tile = started.nodes};
-    found = lane(ray, tree, start_of(started.start, tree.root().first), on_accepted);
+    found = lane(ray, tree, start_of(started.start, tree.root().first), on_accepted, watch);
   }
   counters.tests += found.work.tests;
   counters.nodes += found.work.nodes;

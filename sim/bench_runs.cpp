@@ -35,7 +35,7 @@ Json head(const Frame& frame, const char* engine, sim::Mode mode) {
   return record;
 }
 
-using Counts = std::array<std::uint64_t, Counters>;
+using sim::Counts;
 
 sim::RtlOptions device_of(const Core& core) {
   sim::RtlOptions device;
@@ -92,16 +92,20 @@ Json rtl_run(const Frame& frame, const Core& core) {
   options.hits = core.hits;
   options.mode = core.mode;
   options.z_order = core.z_order;
+  const auto model_of = [&] { return sim::run_model(*image, options, {}, 1, core.tile_log2); };
   const sim::RtlRun run = sim::run_rtl(*image, device, options);
-  options.hits = true;
-  const sim::Rendering model = sim::run_model(*image, options, {}, 1);
+  const sim::Rendering model = model_of();
   const sim::Comparison comparison = sim::compare(run.rendering, model);
+  options.hits = true;
   const sim::RtlRun hits = core.hits ? run : sim::run_rtl(*image, device, options);
+  const sim::Rendering hits_model = core.hits ? model : model_of();
 
   Json record = head(frame, "rtl", core.mode);
   add_core(record, core);
   record["pixels_differ"] = comparison.pixels_differ;
-  record["hits_differ"] = sim::compare(hits.rendering, model).hits_differ;
+  record["hits_differ"] = sim::compare(hits.rendering, hits_model).hits_differ;
+  record["counters_differ"] = sim::counters_that_differ(run.rendering.counters, model.counters).size() +
+                              sim::counters_that_differ(hits.rendering.counters, hits_model.counters).size();
   record["error"] = static_cast<int>(std::max(run.rendering.error, hits.rendering.error));
   record["rules_broken"] = run.violations + hits.violations;
   add_counters(record, run.rendering.counters, double(run.rendering.pixels.size()), core);
@@ -116,7 +120,8 @@ Json rtl_run(const Frame& frame, const Core& core) {
 Json list_run(const Frame& frame, const Core& core) {
   const auto image = image_of(frame);
   const std::vector<ray_record_t> rays = sim::camera_rays(*image);
-  const sim::RtlQuery run = sim::query_rtl(*image, sim::bytes_of(rays), device_of(core), {.mode = core.mode});
+  const std::vector<std::uint8_t> bytes = sim::bytes_of(rays);
+  const sim::RtlQuery run = sim::query_rtl(*image, bytes, device_of(core), {.mode = core.mode});
   sim::Answers expected;
   expected.hits = sim::run_model(*image, {.mode = core.mode}, {}, 1).hits;
 
@@ -124,6 +129,7 @@ Json list_run(const Frame& frame, const Core& core) {
   add_core(record, core);
   record["pixels_differ"] = 0;   // there are none
   record["hits_differ"] = sim::compare(run.answers, expected).hits_differ;
+  record["counters_differ"] = sim::counters_that_differ(run.answers.counters, sim::query_model(*image, bytes, {.mode = core.mode}, {}, 1).counters).size();
   record["error"] = static_cast<int>(run.answers.error);
   record["rules_broken"] = run.violations;
   add_counters(record, run.answers.counters, double(rays.size()), core);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "comparison.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
+
+#include "counter_names.hpp"
+#include "work_counters.hpp"
 
 namespace castray::sim {
 namespace {
@@ -41,6 +45,17 @@ Comparison compare(const Answers& a, const Answers& b) {
     if (result.hits_differ++ < kFirst) result.first.push_back(i);
   }
   return result;
+}
+
+std::vector<std::string> counters_that_differ(const Counts& core, const Counts& model) {
+  std::vector<std::string> lines;
+  for (const auto& work : kWorkCounters) {
+    const auto i = static_cast<std::size_t>(work.first);
+    const auto named = std::ranges::find(kCounterNames, work.first, [](const auto& name) { return name.first; });
+    if (core[i] != model[i])
+      lines.push_back(std::string("counter ") + named->second + ": " + std::to_string(core[i]) + ", in the model " + std::to_string(model[i]));
+  }
+  return lines;
 }
 
 std::string text_of(const Rendering& rendering, std::size_t pixel) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two renderings of the same job, every pixel and every raw hit record.
+// Two outcomes of the same job: every pixel, every raw hit record, the counters of work.
 #pragma once
 #include <string>
 #include <vector>
@@ -21,6 +21,10 @@ Comparison compare(const Rendering& a, const Rendering& b);
 
 // The same of the answers to one list of rays: hits_differ, and `first` by the ray's number.
 Comparison compare(const Answers& a, const Answers& b);
+
+// A line for each counter of cpp_model/work_counters.hpp that differs: its name and both values. Of jobs in the same mode, on tiles
+// of one size, both with hit records or both without.
+std::vector<std::string> counters_that_differ(const Counts& core, const Counts& model);
 
 // Pixel and hit record of one place as text.
 std::string text_of(const Rendering& rendering, std::size_t pixel);

@@ -121,7 +121,7 @@ std::uint64_t Driver::counter(std::int64_t index) {
   return device_.read_reg(offset) | std::uint64_t{device_.read_reg(offset + 4)} << 32;
 }
 
-error_t Driver::end_job(std::array<std::uint64_t, Counters>& counters) {
+error_t Driver::end_job(Counts& counters) {
   set(RegIsr, device_.read_reg(RegIsr));
   const std::uint32_t control = device_.read_reg(RegControl);
   if (!(control >> CtrlDone & 1)) throw DeviceError("the interrupt came, but the job is not done: control register " + hex(control));

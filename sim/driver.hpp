@@ -12,6 +12,8 @@
 
 namespace castray::sim {
 
+using Counts = std::array<std::uint64_t, Counters>;   // of a job
+
 struct PixelWindow {
   int x0 = 0;
   int y0 = 0;
@@ -40,7 +42,7 @@ struct Rendering {
   int height = 0;
   std::vector<std::uint32_t> pixels;  // words of the frame buffer, row by row, top first
   std::vector<std::uint8_t> hits;     // raw records of all pixels, empty unless asked for
-  std::array<std::uint64_t, Counters> counters{};
+  Counts counters{};
 
   std::uint64_t cycles() const { return counters[CntCycles]; }
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
@@ -58,7 +60,7 @@ struct QueryOptions {
 struct Answers {
   error_t error = ErrNone;
   std::vector<std::uint8_t> hits;   // raw records
-  std::array<std::uint64_t, Counters> counters{};
+  Counts counters{};
 
   std::uint64_t cycles() const { return counters[CntCycles]; }
   std::size_t size() const { return hits.size() / static_cast<std::size_t>(HitBytes); }
@@ -111,7 +113,7 @@ class Driver {
   void release();
   void set_image(std::uint32_t steps);
   void wait(const Progress& progress);
-  error_t end_job(std::array<std::uint64_t, Counters>& counters);
+  error_t end_job(Counts& counters);
   std::uint64_t counter(std::int64_t index);
 
   Device& device_;

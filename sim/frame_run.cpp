@@ -31,8 +31,8 @@ RtlRun run_rtl(const SceneImage& image, const RtlOptions& device, const RenderOp
   return run;
 }
 
-Rendering run_model(const SceneImage& image, const RenderOptions& options, const Progress& progress, int threads) {
-  ModelDevice device(threads);
+Rendering run_model(const SceneImage& image, const RenderOptions& options, const Progress& progress, int threads, int tile_log2) {
+  ModelDevice device(threads, tile_log2);
   Driver driver(device);
   driver.load(image);
   return driver.render(options, progress);

@@ -40,7 +40,9 @@ using QueryRtl = std::function<RtlQuery(const SceneImage&, std::span<const std::
 
 // Throw DeviceError when the core hangs or is not of this build.
 RtlRun run_rtl(const SceneImage& image, const RtlOptions& device, const RenderOptions& options = {}, const Progress& progress = {});
-Rendering run_model(const SceneImage& image, const RenderOptions& options = {}, const Progress& progress = {}, int threads = 0);
+// Of the model, the counters of work are those of a core with tiles of 2^tile_log2 pixels a side.
+Rendering run_model(const SceneImage& image, const RenderOptions& options = {}, const Progress& progress = {}, int threads = 0,
+                    int tile_log2 = DefaultTileLog2);
 
 // The same of a list of raw ray_record_t.
 RtlQuery query_rtl(const SceneImage& image, std::span<const std::uint8_t> rays, const RtlOptions& device, const QueryOptions& options = {},

@@ -4,18 +4,28 @@
 #include <filesystem>
 #include <iostream>
 
+#include "cli/exit_code.hpp"
 #include "scene/files.hpp"
 #include "scene/geo.hpp"
 #include "scene/load.hpp"
 #include "scene/made_scenes.hpp"
+#include "scene/replacement.hpp"
+#include "scene/text.hpp"
 
 namespace {
 
 using namespace castray;
 
-// The scene and its meshes; or the mesh alone, where the name asks for one.
+void check_writable(const std::filesystem::path& file) {
+  if (const std::error_code error = Replacement::check(file)) throw SceneError(file.string(), "write", error.message());
+}
+
+// The scene and its meshes; or the mesh alone, where the name asks for one. Throws SceneError, before anything is written
+// if what is wrong can be seen then.
 void write(const MadeScene& made, const std::filesystem::path& out) {
   const bool mesh_alone = out.extension() == ".geo";
+  for (const auto& [file, mesh] : made.files) check_writable(file);
+  if (!mesh_alone) check_writable(out);
   for (const auto& [file, mesh] : made.files) {
     write_file(file, geo_text(mesh));
     std::cout << file << ": " << mesh.points.size() << " points, " << mesh.face_sizes.size() << " faces\n";
@@ -26,10 +36,15 @@ void write(const MadeScene& made, const std::filesystem::path& out) {
 
 std::string stem(std::filesystem::path out) { return out.replace_extension().string(); }
 
+int complain(cli::ExitCode code, const char* what) {
+  std::cerr << "make_scene: " << one_line(what) << '\n';
+  return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Writes scenes of any size, as JSON and .geo beside it");
+  CLI::App app("Writes scenes of any size, as JSON and .geo beside it; the exit codes are those of castray");
   app.require_subcommand(1);
   std::string out;
   int n = 10, columns = 8, rows = 8, count = 4096;
@@ -51,11 +66,18 @@ int main(int argc, char** argv) {
   CLI::App* spheres = add("spheres", "spheres of many sizes in a cube");
   spheres->add_option("--count", count)->check(CLI::Range(1, 1'000'000))->capture_default_str();
   spheres->add_option("--seed", seed)->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
   try {
-    write(*teapot ? made_teapot(n, stem(out)) : *field ? made_field(columns, rows, n, stem(out)) : made_spheres(count, seed), out);
-  } catch (const SceneError& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
+    app.parse(argc, argv);
+    const MadeScene made = *teapot ? made_teapot(n, stem(out)) : *field ? made_field(columns, rows, n, stem(out)) : made_spheres(count, seed);
+    write(made, out);
+  } catch (const CLI::Success& e) {
+    return app.exit(e);  // --help
+  } catch (const CLI::ParseError& e) {
+    return complain(cli::kBadInput, e.what());
+  } catch (const SceneError& e) {
+    return complain(cli::kBadOutput, e.what());
+  } catch (const std::exception& e) {
+    return complain(cli::kInternal, e.what());
   }
+  return std::cout.flush() ? cli::kOk : complain(cli::kBadOutput, "standard output cannot be written");
 }

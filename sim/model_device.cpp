@@ -77,13 +77,7 @@ void ModelDevice::run(const Progress& progress) {
   };
   const Outcome outcome = run_job(job, windows, {tile_log2_, threads_, on_progress});
   error_ = outcome.error;
-  counts_[CntTests] = outcome.counters.tests;
-  counts_[CntRays] = outcome.counters.rays;
-  counts_[CntHits] = outcome.counters.hits;
-  counts_[CntCandidates] = outcome.counters.candidates;
-  counts_[CntNodes] = outcome.counters.nodes;
-  counts_[CntTileNodes] = outcome.counters.tile_nodes;
-  counts_[CntEmptyTiles] = outcome.counters.empty_tiles;
+  for (const auto& [index, count] : kWorkCounters) counts_[static_cast<std::size_t>(index)] = outcome.counters.*count;
 }
 
 Wait ModelDevice::wait_interrupt(const Progress& progress) {

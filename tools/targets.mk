@@ -12,7 +12,7 @@ numbered = $(MAKE) --no-print-directory $(1) | python3 tools/steps.py $$($(MAKE)
 
 help: ## list the targets
 	@echo "make TARGET:"
-	@sed -n 's/^\([a-z-]*\):.*## /  \1\t/p' $(filter %.mk,$(MAKEFILE_LIST)) | expand -t 16
+	@sed -n 's/^\([a-z0-9-]*\):.*## /  \1\t/p' $(filter %.mk,$(MAKEFILE_LIST)) | expand -t 16
 	@echo "  unit/FOLDER/NAME  build and run one unit's test, for example unit/isect/ray_prim"
 	@echo "  JOBS=N            after a target: so many jobs side by side, else one a processor"
 

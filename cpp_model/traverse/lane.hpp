@@ -28,13 +28,28 @@ inline hit_t hit_of(const ray_t& ray, const Nearest& nearest) {
   return hit;
 }
 
+// One node or leaf that a ray goes to, and the node's children that it visits.
+struct Visit {
+  ref_t target;
+  visits_t children;
+};
+
+// Who is told of the visits and tests of a ray, in their order: nobody.
+struct NoWatch {
+  void visit(const Visit&) {}
+  void test(const prim_slot_t&) {}
+};
+
 // By brute force. Adds the tests that the ray makes to `tests`. accepted(cand, result) is told of each
 // primitive that the exact test accepts; `result` is null where it lies before tmin.
-template <class Accepted>
-hit_t lane(const ray_t& ray, const std::vector<prim_slot_t>& slots, std::uint64_t& tests, Accepted&& accepted) {
+template <class Accepted, class Watch = NoWatch>
+hit_t lane(const ray_t& ray, const std::vector<prim_slot_t>& slots, std::uint64_t& tests, Accepted&& accepted, Watch&& watch = {}) {
   PrimTests prims(ray);
-  for (const prim_slot_t& slot : slots)
-    if (ray.valid && slot.number != ray.ignore) prims.test(slot, accepted);
+  for (const prim_slot_t& slot : slots) {
+    if (!ray.valid || slot.number == ray.ignore) continue;
+    watch.test(slot);
+    prims.test(slot, accepted);
+  }
   tests += prims.tests();
   return hit_of(ray, prims.nearest());
 }
@@ -62,7 +77,8 @@ struct TreeHit {
 };
 
 // Through the hierarchy, from `start` on.
-template <class Accepted> TreeHit lane(const ray_t& ray, const Tree& tree, const start_t& start, Accepted&& accepted) {
+template <class Accepted, class Watch = NoWatch>
+TreeHit lane(const ray_t& ray, const Tree& tree, const start_t& start, Accepted&& accepted, Watch&& watch = {}) {
   const slab_ray_t slab_ray = slab_ray_of(ray);
   PrimTests prims(ray);
   Step step(tree.limit, tree.stack_depth);
@@ -75,11 +91,15 @@ template <class Accepted> TreeHit lane(const ray_t& ray, const Tree& tree, const
     if (next != Step::Next::Visit) break;
     const ref_t target = step.target();
     visits = {};
+    const auto test = [&](const prim_slot_t& slot) {
+      watch.test(slot);
+      prims.test(slot, accepted);
+    };
     if (target.kind == static_cast<std::uint64_t>(RefLeaf))
-      error = leaf_tests(tree.image, *tree.header, target.index, ray.ignore,
-                         [&](const prim_slot_t& slot) { prims.test(slot, accepted); });
+      error = leaf_tests(tree.image, *tree.header, target.index, ray.ignore, test);
     else
       error = node_visits(tree.image, *tree.header, tree.tile, target, slab_ray, t, visits);
+    watch.visit({target, visits});
   }
   return {hit_of(ray, prims.nearest()), {.nodes = step.nodes(), .tests = prims.tests()}, error};
 }

@@ -10,6 +10,7 @@
 namespace castray {
 
 struct TileStart {
+  tile_bounds_t bounds;
   std::uint64_t start = 0;    // TileEmpty, TileRoot, TileOne or TileTwo
   TileNodes nodes;            // of the frontier
   int read = 0;               // nodes of the image
@@ -34,8 +35,9 @@ template <class NodeAt> TileStart tile_start(const tile_t& tile, const camera_t&
     const int x = static_cast<int>(tile.x + (i % 2 ? tile.width - 1 : 0)), y = static_cast<int>(tile.y + (i / 2 ? tile.height - 1 : 0));
     corners[i] = ray_setup(ray_gen(camera, x, y), camera, pixel_tag_t{});
   }
-  const Frontier parts = frontier(tile_bounds(corners), camera.eye, root, node_at);
   TileStart out;
+  out.bounds = tile_bounds(corners);
+  const Frontier parts = frontier(out.bounds, camera.eye, root, node_at);
   out.read = parts.nodes;
   out.error = parts.error;
   out.start = static_cast<std::uint64_t>(parts.at_root ? TileRoot : parts.parts.empty() ? TileEmpty : parts.parts.size() <= 4 ? TileOne : TileTwo);

@@ -89,6 +89,9 @@ void CoreArguments::add_to(CLI::App& command) {
           "how primitives are found: bvh, the hierarchy from each tile's start; bvh_root, from its root; brute, all are tested")
       ->check(CLI::IsMember(std::vector<std::string>(sim::kModeNames.begin(), sim::kModeNames.end())))
       ->capture_default_str();
+  command.add_option("--steps", steps, "nodes that a ray may visit, or the job ends with an error; 0: no limit")
+      ->check(CLI::Range(0, (1 << steps_t_bits) - 1))
+      ->capture_default_str();
   command.add_option("--memory", memory, "timing of the memory: reference, or hp with 8 requests outstanding")
       ->check(CLI::IsMember({"reference", "hp"}))->capture_default_str();
   command.add_option("--stalls", stalls, "pattern of stalls on the five channels of the memory")
@@ -111,6 +114,15 @@ sim::Mode CoreArguments::render_mode() const {
   return static_cast<sim::Mode>(std::find(sim::kModeNames.begin(), sim::kModeNames.end(), mode) - sim::kModeNames.begin());
 }
 
+sim::RenderOptions CoreArguments::replay(const Scene& scene, int x, int y) const {
+  sim::RenderOptions options{.hits = true, .work = true, .mode = render_mode(), .steps = steps, .window = sim::PixelWindow{x, y, x + 1, y + 1}};
+  if (options.mode == sim::Mode::kBvh) {
+    const auto low = [&](int at) { return at / tile * tile; };
+    options.window = {low(x), low(y), std::min(low(x) + tile, scene.width), std::min(low(y) + tile, scene.height)};
+  }
+  return options;
+}
+
 std::string CoreArguments::text() const {
   const CoreArguments none;
   std::string text;
@@ -120,6 +132,7 @@ std::string CoreArguments::text() const {
   if (ports != none.ports) text += " --ports " + std::to_string(ports);
   if (l2_kbytes != none.l2_kbytes) text += " --l2 " + std::to_string(l2_kbytes);
   if (mode != none.mode) text += " --mode " + mode;
+  if (steps != none.steps) text += " --steps " + std::to_string(steps);
   if (memory != none.memory) text += " --memory " + memory;
   if (stalls != none.stalls) text += " --stalls " + stalls;
   if (reorder) text += " --reorder";

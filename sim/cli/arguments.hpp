@@ -53,6 +53,7 @@ struct CoreArguments {
   int ports = DefaultPorts;
   int l2_kbytes = DefaultL2Kbytes;
   std::string mode = name_of(sim::Mode::kBvh);
+  std::uint32_t steps = 0;
   std::string memory = "reference";
   std::string stalls = "none";
   bool reorder = false;
@@ -61,6 +62,8 @@ struct CoreArguments {
   void add_to(CLI::App& command);
   sim::RtlOptions options() const;
   sim::Mode render_mode() const;
+  // Renders one pixel again: with all that shares its start, the pixels of its tile.
+  sim::RenderOptions replay(const Scene& scene, int x, int y) const;
   // The options that differ from their defaults, as on a command line.
   std::string text() const;
 };

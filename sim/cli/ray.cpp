@@ -4,13 +4,13 @@
 #include <cstdio>
 
 #include "arguments.hpp"
-#include "core.hpp"
 #include "driver.hpp"
 #include "model_device.hpp"
 #include "outputs.hpp"
 #include "picture.hpp"
 #include "probe.hpp"
 #include "ray_sheet.hpp"
+#include "ray_trace.hpp"
 #include "reference/float64.hpp"
 #include "scene/compile.hpp"
 #include "summary.hpp"
@@ -52,11 +52,11 @@ ExitCode ray(const Arguments& args, const sim::RunRtl& run_rtl) {
   check_outputs({{"--trace", args.trace, sim::check_writable}}, scene);
   const SceneImage image = compile(scene, scene.width, scene.height);
   args.scene.print_notes(scene);
-  // One ray does not share its start with a tile's others: in the hierarchy it starts at the root.
-  const sim::Mode mode = args.core.render_mode() == sim::Mode::kBrute ? sim::Mode::kBrute : sim::Mode::kBvhRoot;
-  const sim::RenderOptions options{.hits = true, .mode = mode, .window = sim::PixelWindow{args.x, args.y, args.x + 1, args.y + 1}};
+  const sim::RenderOptions options = args.core.replay(scene, args.x, args.y);
+  sim::RtlOptions device = args.core.options();
+  const int tile_log2 = device.variant.tile_log2;
 
-  sim::ModelDevice model;
+  sim::ModelDevice model(0, tile_log2);
   sim::Driver model_driver(model);
   model_driver.load(image);
   const sim::Rendering expected = model_driver.render(options);
@@ -64,23 +64,25 @@ ExitCode ray(const Arguments& args, const sim::RunRtl& run_rtl) {
     std::fprintf(stderr, "castray: the model refuses the job: %s\n", meaning(expected.error));
     return kDeviceError;
   }
-  const RayTrace trace = trace_pixel(model.job(), model.windows(model.job()), args.x, args.y);
+  const RayTrace trace = trace_pixel(model.job(), model.windows(model.job()), args.x, args.y, tile_log2);
 
-  sim::RtlOptions device = args.core.options();
   device.trace_file = args.trace;
-  sim::Probe probe;
+  sim::Probe probe(args.x, args.y, options.mode == sim::Mode::kBvh);
   const sim::Probe::Attached attached(probe);
   const sim::RtlRun rtl = run_rtl(image, device, options, {});
   const sim::Rendering& rendering = rtl.rendering;
 
-  std::printf("%s, pixel (%d, %d) of %dx%d: %s\n\n  %-18s %24s %24s\n", args.scene.file.c_str(), args.x, args.y, scene.width,
-              scene.height, rtl.device.c_str(), "", "model", "rtl");
+  std::printf("%s, pixel (%d, %d) of %dx%d, mode %s: %s\n\n  %-18s %26s %26s\n", args.scene.file.c_str(), args.x, args.y, scene.width,
+              scene.height, args.core.mode.c_str(), rtl.device.c_str(), "", "model", "rtl");
   RaySheet sheet(args.limit);
-  pixel_dir_t direction;
-  direction.tag = trace.tag;
-  direction.dir = trace.dir;
-  sheet.stage("direction (ray_gen)", std::vector{direction}, probe.directions);
-  sheet.stage("ray (ray_setup)", std::vector{trace.ray}, probe.rays);
+  sheet.stage("bounds of the tile's rays (tile_bounds)", trace.bounds, probe.bounds);
+  sheet.stage("nodes read to start the tile (frontier)", trace.reads, probe.reads);
+  sheet.stage("parts of the scene that the tile may meet (tile_node)", trace.frontier, probe.frontier);
+  sheet.stage("start of the tile (tile_start)", trace.started, probe.started);
+  sheet.stage("direction (ray_gen)", trace.directions, probe.directions);
+  sheet.stage("ray (ray_setup)", trace.rays, probe.rays);
+  sheet.stage("nodes and leaves in order (step, node_visits)", trace.visits, probe.visits);
+  sheet.stage("tests (prim_tests)", trace.tests, probe.tests);
   sheet.stage("accepted primitives (ray_prim)", trace.candidates, probe.candidates);
   sheet.stage("distances (hit_unit)", triangles_first(trace.results), triangles_first(probe.results));
   sheet.stage("nearest hit (lane)", std::vector{trace.hit}, probe.hits);

@@ -90,9 +90,9 @@ class Render {
 
   // Without a use for the hit records a core is not asked for them: they cost it cycles.
   bool wants_hits() const { return args_.check || args_.float64 || !args_.aov.empty() || !args_.hits.empty() || args_.work(); }
-  sim::RenderOptions options(bool hits, std::optional<sim::PixelWindow> window = {}) const {
+  sim::RenderOptions options(bool hits) const {
     return {
-        .hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .window = window};
+        .hits = hits, .work = hits && args_.work(), .z_order = args_.z_order, .mode = args_.core.render_mode(), .steps = args_.core.steps};
   }
 
   sim::Progress progress(ProgressBar& bar) const {
@@ -109,13 +109,13 @@ class Render {
     const sim::Rendering rendering = args_.engine.name == "rtl"   ? on_rtl(code)
                                      : args_.engine.name == "uio" ? on_board()
                                                                   : on_model();
-    if (rendering.error != ErrNone) {
-      std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error),
-                   meaning(rendering.error));
-      report_["error"] = static_cast<int>(rendering.error);
-      return kDeviceError;
-    }
+    if (stopped(rendering)) return kDeviceError;
     if (args_.check && !equals_model(rendering)) code = kMismatch;
+    if (args_.check && args_.core.render_mode() == sim::Mode::kBvh) {
+      const sim::Rendering alone = again(code);
+      if (stopped(alone)) return kDeviceError;
+      if (!alone_equals_model(alone)) code = kMismatch;
+    }
     if (args_.float64) against_float64(rendering);
     sim::write_picture(output(), sim::picture_of(rendering, scene_.pixel_format), metadata());
     wrote(output());
@@ -124,6 +124,13 @@ class Render {
     if (!args_.hits.empty()) write_raw(args_.hits, rendering.hits.data(), rendering.hits.size());
     write_maps(rendering);
     return code;
+  }
+
+  bool stopped(const sim::Rendering& rendering) {
+    if (rendering.error == ErrNone) return false;
+    std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error), meaning(rendering.error));
+    report_["error"] = static_cast<int>(rendering.error);
+    return true;
   }
 
   void write_maps(const sim::Rendering& rendering) const {
@@ -149,7 +156,7 @@ class Render {
     report_.update(report_of(run, run.rendering.counters, device));
     std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, run.device.c_str());
     print_work(run.rendering.counters, run.seconds);
-    print_run(run, run.rendering.counters);
+    print_run(run, run.rendering.counters, stdout, with());
     if (run.violations > 0) code = kBusRules;
     return run.rendering;
   }
@@ -165,14 +172,30 @@ class Render {
     report_["seconds"] = facts.seconds;
     std::printf("%s, %dx%d: %s\n", args_.scene.file.c_str(), scene_.width, scene_.height, facts.device.c_str());
     print_work(rendering.counters, facts.seconds);
-    print_counters(rendering.counters);
+    print_counters(rendering.counters, stdout, with());
+    tile_log2_ = facts.tile_log2;
+    return rendering;
+  }
+  const char* with() const { return wants_hits() ? ", the hit buffer written as well" : ""; }
+
+  // The frame alone, on the same core: as a frame is rendered that nobody checks.
+  sim::Rendering again(ExitCode& code) {
+    ProgressBar bar("frame alone");
+    if (args_.engine.name == "rtl") {
+      const sim::RtlRun run = context_.run_rtl(image_, args_.core.options(), options(false), progress(bar));
+      print_violations(run);
+      if (run.violations > 0) code = kBusRules;
+      return run.rendering;
+    }
+    sim::Rendering rendering;
+    run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) { rendering = driver.render(options(false), progress(bar)); });
     return rendering;
   }
 
   sim::Rendering on_model() {
     ProgressBar bar("rendering");
     const auto start = std::chrono::steady_clock::now();
-    const sim::Rendering rendering = sim::run_model(image_, options(true), progress(bar));
+    const sim::Rendering rendering = sim::run_model(image_, options(true), progress(bar), 0, tile_log2_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     report_.update(report_of(rendering.counters));
     report_["seconds"] = seconds;
@@ -191,33 +214,52 @@ class Render {
   // ---- Comparisons ----
   bool equals_model(const sim::Rendering& rendering) {
     ProgressBar bar("model");
-    const sim::Rendering expected = sim::run_model(image_, options(true), progress(bar));
+    const sim::Rendering expected = sim::run_model(image_, options(true), progress(bar), 0, tile_log2_);
     const sim::Comparison comparison = sim::compare(rendering, expected);
-    const bool work =
-        rendering.counters[CntTests] == expected.counters[CntTests] && rendering.counters[CntHits] == expected.counters[CntHits];
+    const std::vector<std::string> counters = sim::counters_that_differ(rendering.counters, expected.counters);
     report_["pixels_differ"] = comparison.pixels_differ;
     report_["hits_differ"] = comparison.hits_differ;
+    report_["counters_differ"] = counters.size();
     print_comparison(comparison, rendering);
-    if (!work) std::printf("  the counters of tests or hits differ from the model's\n");
+    for (const std::string& line : counters) std::printf("  %s\n", line.c_str());
     for (const std::size_t i : comparison.first) explain(i, rendering, expected);
     if (!comparison.first.empty() && !args_.trace.empty() && args_.trace_window.empty()) trace_pixel(comparison.first[0]);
-    return comparison.equal() && work;
+    return comparison.equal() && counters.empty();
+  }
+
+  // Without hit records tiles that no ray can hit are filled; with them they give their pixels.
+  bool alone_equals_model(const sim::Rendering& rendering) {
+    ProgressBar bar("model");
+    const sim::Rendering expected = sim::run_model(image_, options(false), progress(bar), 0, tile_log2_);
+    const sim::Comparison comparison = sim::compare(rendering, expected);
+    const std::vector<std::string> counters = sim::counters_that_differ(rendering.counters, expected.counters);
+    report_["frame_alone"] = {{"cycles", rendering.cycles()}, {"pixels_differ", comparison.pixels_differ}, {"counters_differ", counters.size()}};
+    std::printf("  the frame alone: cycles %s; %s of %s pixels differ from the model\n", grouped(rendering.cycles()).c_str(),
+                grouped(comparison.pixels_differ).c_str(), grouped(rendering.pixels.size()).c_str());
+    for (const std::string& line : counters) std::printf("  %s\n", line.c_str());
+    for (const std::size_t i : comparison.first) print_both(i, rendering, expected);
+    return comparison.equal() && counters.empty();
+  }
+
+  void print_both(std::size_t i, const sim::Rendering& rendering, const sim::Rendering& expected) const {
+    const auto width = static_cast<std::size_t>(scene_.width);
+    std::printf("  (%zu, %zu)\n    rtl    %s\n    model  %s\n", i % width, i / width, sim::text_of(rendering, i).c_str(),
+                sim::text_of(expected, i).c_str());
   }
 
   void explain(std::size_t i, const sim::Rendering& rendering, const sim::Rendering& expected) const {
     const auto width = static_cast<std::size_t>(scene_.width);
-    const std::size_t x = i % width, y = i / width;
-    std::printf("  (%zu, %zu)\n    rtl    %s\n    model  %s\n    %s ray %s %zu %zu --size %dx%d%s\n", x, y,
-                sim::text_of(rendering, i).c_str(), sim::text_of(expected, i).c_str(), shell_word(context_.program).c_str(),
-                shell_word(args_.scene.file).c_str(), x, y, scene_.width, scene_.height, args_.core.text().c_str());
+    print_both(i, rendering, expected);
+    std::printf("    %s ray %s %zu %zu --size %dx%d%s\n", shell_word(context_.program).c_str(), shell_word(args_.scene.file).c_str(), i % width,
+                i / width, scene_.width, scene_.height, args_.core.text().c_str());
   }
 
-  // Renders the one pixel again, with waveforms.
+  // Renders the pixel again, with waveforms.
   void trace_pixel(std::size_t i) const {
     const int x = static_cast<int>(i) % scene_.width, y = static_cast<int>(i) / scene_.width;
     sim::RtlOptions device = args_.core.options();
     device.trace_file = args_.trace;
-    context_.run_rtl(image_, device, options(true, sim::PixelWindow{x, y, x + 1, y + 1}), {});
+    context_.run_rtl(image_, device, args_.core.replay(scene_, x, y), {});
     std::printf("wrote %s, the waveforms of pixel (%d, %d)\n", args_.trace.c_str(), x, y);
   }
 
@@ -264,6 +306,7 @@ class Render {
   const Context& context_;
   Scene scene_;
   SceneImage image_;
+  int tile_log2_ = args_.core.options().variant.tile_log2;   // of the core
   Json report_;
 };
 

@@ -16,30 +16,33 @@ void print_work(const Counts& counters, double seconds, std::FILE* out) {
   std::fprintf(out, "  %.2f s\n", seconds);
 }
 
-void print_counters(const Counts& counters, std::FILE* out) {
+void print_counters(const Counts& counters, std::FILE* out, const char* with) {
   const auto count = [&](std::int64_t index) { return grouped(counters[static_cast<std::size_t>(index)]); };
   const auto share = [&](std::int64_t hits, std::int64_t misses) {
     const auto of = [&](std::int64_t index) { return static_cast<double>(counters[static_cast<std::size_t>(index)]); };
     return of(hits) + of(misses) > 0 ? 100 * of(hits) / (of(hits) + of(misses)) : 0.0;
   };
-  std::fprintf(out, "  cycles %s\n", count(CntCycles).c_str());
+  std::fprintf(out, "  cycles %s%s\n", count(CntCycles).c_str(), with);
   // A list of rays has neither tiles nor attributes.
   const auto if_any = [&](std::int64_t one, std::int64_t other, const std::string& text) {
     return counters[static_cast<std::size_t>(one)] + counters[static_cast<std::size_t>(other)] > 0 ? text : "";
   };
   const std::string tiles = if_any(CntTileNodes, CntEmptyTiles, "; tiles: " + count(CntTileNodes) + " nodes read to start them, " + count(CntEmptyTiles) + " filled");
   const std::string attributes = if_any(CntAttrHits, CntAttrMisses, "; attributes: " + count(CntAttrHits) + " in the cache, " + count(CntAttrMisses) + " fetched");
-  if (counters[CntBatches] > 0)
+  if (counters[CntBatches] > 0) {
     std::fprintf(out, "  brute force: %s passes, %s cycles waiting for a lane, %s for a primitive\n", count(CntBatches).c_str(),
                  count(CntTestStalls).c_str(), count(CntFetchStalls).c_str());
-  else
+  } else {
     std::fprintf(out, "  caches hit: nodes %.1f%%, leaves %.1f%%, shared %.1f%%%s\n", share(CntNodeHits, CntNodeMisses),
                  share(CntLeafHits, CntLeafMisses), share(CntL2Hits, CntL2Misses), tiles.c_str());
+    std::fprintf(out, "  cycles of lanes in which a ray waited to look up a node %s, a leaf %s, a test for its queue %s\n", count(CntNodeWaits).c_str(),
+                 count(CntLeafWaits).c_str(), count(CntTestWaits).c_str());
+  }
   std::fprintf(out, "  read beats %s, write beats %s%s\n", count(CntReadBeats).c_str(), count(CntWriteBeats).c_str(), attributes.c_str());
 }
 
-void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out) {
-  print_counters(counters, out);
+void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out, const char* with) {
+  print_counters(counters, out, with);
   std::fprintf(out, "  simulated %.3f M cycles a second\n", run.per_second(counters[CntCycles]) / 1e6);
   bool stalled = false;
   for (const sim::StallShare& share : run.shares) stalled |= share.blocked > 0;

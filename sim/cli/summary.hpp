@@ -15,10 +15,11 @@ namespace castray::cli {
 std::string grouped(std::uint64_t number);
 
 // A job's counters, and how it went on the Verilated core.
-using Counts = decltype(sim::Rendering::counters);
+using sim::Counts;
 void print_work(const Counts& counters, double seconds, std::FILE* out = stdout);
-void print_counters(const Counts& counters, std::FILE* out = stdout);  // those that only a core has
-void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out = stdout);
+// Those that only a core has; `with` is said of the cycles.
+void print_counters(const Counts& counters, std::FILE* out = stdout, const char* with = "");
+void print_run(const sim::RtlFacts& run, const Counts& counters, std::FILE* out = stdout, const char* with = "");
 void print_violations(const sim::RtlFacts& run, std::FILE* out = stdout);
 
 void print_comparison(const sim::Comparison& comparison, const sim::Rendering& rendering);

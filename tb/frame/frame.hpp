@@ -49,6 +49,12 @@ inline sim::RtlOptions core_of(int lanes, const std::string& stalls = "none", un
   return options;
 }
 
+// The counters of work.
+inline testing::AssertionResult equal(const sim::Counts& rtl, const sim::Counts& model) {
+  const std::vector<std::string> differ = sim::counters_that_differ(rtl, model);
+  return differ.empty() ? testing::AssertionSuccess() : testing::AssertionFailure() << differ.front();
+}
+
 // True if nothing differs and the core kept the rules of its bus.
 inline testing::AssertionResult equal(const sim::Rendering& rtl, const sim::Rendering& model) {
   if (rtl.error != ErrNone) return testing::AssertionFailure() << "the core stopped: " << meaning(rtl.error);
@@ -60,12 +66,7 @@ inline testing::AssertionResult equal(const sim::Rendering& rtl, const sim::Rend
               << sim::text_of(rtl, i) << "\n    model " << sim::text_of(model, i);
     return failure;
   }
-  for (const auto counter : {CntTests, CntRays, CntHits, CntCandidates, CntNodes, CntTileNodes, CntEmptyTiles}) {
-    const auto i = static_cast<std::size_t>(counter);
-    if (rtl.counters[i] != model.counters[i])
-      return testing::AssertionFailure() << "counter " << i << " is " << rtl.counters[i] << ", in the model " << model.counters[i];
-  }
-  return testing::AssertionSuccess();
+  return equal(rtl.counters, model.counters);
 }
 
 inline testing::AssertionResult kept_the_rules(sim::RtlDevice& device) {

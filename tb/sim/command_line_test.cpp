@@ -4,6 +4,7 @@
 // Cores: l1c32t3p1m0 l3c32t3p2m128
 #include <nlohmann/json.hpp>
 
+#include "cli/summary.hpp"
 #include "command_line.hpp"
 
 namespace castray::tb {
@@ -82,6 +83,13 @@ TEST_F(CommandLine, RendersChecksAndReports) {
   EXPECT_EQ(report["stalls"], "uniform");
   EXPECT_EQ(report["seed"], 5);
   EXPECT_GT(report["cycles"], 1000);
+  EXPECT_GT(report["cycles"], report["frame_alone"]["cycles"]) << "the hit buffer costs cycles";
+  const auto with_commas = [](std::uint64_t cycles) { return cli::grouped(cycles); };
+  for (const std::string& line : {"  cycles " + with_commas(report["cycles"]) + ", the hit buffer written as well\n",
+                                  "  the frame alone: cycles " + with_commas(report["frame_alone"]["cycles"]) + "; 0 of 384 pixels differ",
+                                  "waited to look up a node " + with_commas(report["node_waits"]) + ", a leaf " + with_commas(report["leaf_waits"]) +
+                                      ", a test for its queue " + with_commas(report["test_waits"]) + "\n"})
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << "not in:\n" << outcome.out;
   const std::string wrote = "wrote " + path("a.png") + "\nwrote " + path("a.exr") + "\nwrote " + path("a.frame") + "\nwrote " + path("a.hits") + "\nwrote " + path("a.json") + "\n";
   EXPECT_TRUE(outcome.out.ends_with(wrote)) << outcome.out;
   EXPECT_EQ(fs::file_size(path("a.hits")), 384u * 32);
@@ -98,11 +106,38 @@ TEST_F(CommandLine, RendersChecksAndReports) {
   EXPECT_EQ(run("compare " + path("a.png") + " " + path("none.png")).code, 2);
 }
 
+// Nothing else is said of a frame that is not checked.
+TEST_F(CommandLine, AFrameAloneHasItsOwnCycles) {
+  const Outcome outcome = run("render scenes/cube.json --size 16x16 -o " + path("a.png"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("hit buffer"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("frame alone"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CommandLine, BoundsTheStepsOfARay) {
+  const std::string rays = file("rays.csv", "ox,oy,oz,dx,dy,dz\n0.3,0.2,5,0,0,-1\n");
+  for (const std::string& command : {"render scenes/cube.json --size 16x16 -o " + path("a.png"), "query scenes/cube.json " + rays + " -o " + path("a.csv")}) {
+    for (const std::string engine : {"rtl", "model"})
+      expect_refused(command + " --steps 1 --engine " + engine, 3, {"error 14", "more nodes than the job allows"});
+    for (const std::string steps : {"-1", "16777216", "few"}) expect_refused(command + " --steps " + steps, 2, {"steps", steps});
+    EXPECT_EQ(run(command + " --steps 1000 --check").code, 0);
+    EXPECT_EQ(run(command + " --steps 1 --mode brute").code, 0) << "no nodes, no limit to them";
+    for (const char* answer : {"a.png", "a.csv"}) fs::remove(path(answer));
+  }
+  expect_refused("ray scenes/cube.json 8 8 --size 16x16 --steps 1", 3, {"more nodes than the job allows"});
+}
+
 TEST_F(CommandLine, ShowsARay) {
   const Outcome outcome = run("ray scenes/spheres.json 12 8 --size 24x16 --trace " + path("ray.fst") + kWithWaves);
   EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
-  for (const char* stage : {"ray_gen", "ray_setup", "ray_prim", "hit_unit", "lane", "shade", "hit record", "float64", "0 values differ"})
+  for (const char* stage : {"tile_bounds", "frontier", "tile_node", "tile_start", "ray_gen", "ray_setup", "goes to", "meets", "prim_tests", "ray_prim",
+                            "hit_unit", "lane", "shade", "hit record", "float64", "0 values differ"})
     EXPECT_NE(outcome.out.find(stage), std::string::npos) << stage;
+  for (const std::string work : {"\n  tests ", "\n  nodes "}) {
+    const std::size_t at = outcome.out.find(work, outcome.out.find("hit record"));
+    ASSERT_NE(at, std::string::npos) << work;
+    EXPECT_GT(std::stoi(outcome.out.substr(at + work.size())), 0) << work;
+  }
   EXPECT_GT(fs::file_size(path("ray.fst")), 1000u);
 }
 

@@ -51,6 +51,29 @@ TEST(Comparison, OtherSizesDifferEverywhere) {
   EXPECT_EQ(sim::compare(other, frame()).pixels_differ, 300u);
 }
 
+// One of each that does not depend on time is named with both values; the others are passed over.
+TEST(Comparison, CountersOfWork) {
+  sim::Counts other = frame().counters;
+  ++other[CntCycles], ++other[CntReadBeats], ++other[CntNodeHits];
+  EXPECT_EQ(sim::counters_that_differ(other, frame().counters), std::vector<std::string>{});
+  for (const auto counter : {CntTests, CntRays, CntHits, CntCandidates, CntNodes, CntTileNodes, CntEmptyTiles}) {
+    other = frame().counters;
+    ++other[static_cast<std::size_t>(counter)];
+    EXPECT_EQ(sim::counters_that_differ(other, frame().counters).size(), 1u) << counter;
+  }
+  other = frame().counters;
+  other[CntHits] = 5;
+  EXPECT_EQ(sim::counters_that_differ(other, frame().counters),
+            std::vector<std::string>{"counter hits: 5, in the model " + std::to_string(frame().counters[CntHits])});
+}
+
+// The model counts as a core with tiles of the size that is asked for.
+TEST(Comparison, TheModelsTilesAreTheCores) {
+  const sim::Rendering small = sim::run_model(image(), {}, {}, 1, 2);
+  EXPECT_TRUE(sim::compare(small, frame()).equal());
+  EXPECT_GT(small.counters[CntTileNodes], frame().counters[CntTileNodes]);
+}
+
 // The reference check counts each kind of difference where it belongs.
 class ReferenceCheck : public testing::Test {
  protected:

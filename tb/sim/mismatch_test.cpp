@@ -8,6 +8,7 @@
 #include "cli/arguments.hpp"
 #include "command_line.hpp"
 #include "comparison.hpp"
+#include "mem/image.hpp"
 #include "scene/compile.hpp"
 #include "scene/load.hpp"
 
@@ -29,7 +30,9 @@ sim::RunRtl pixel_error(int x, int y) {
   return erring([=](sim::Rendering& r) { r.pixels[r.index(x, y)] ^= 0x40; });
 }
 sim::RunRtl hit_error(int x, int y) {
-  return erring([=](sim::Rendering& r) { r.hits[r.index(x, y) * HitBytes + 12] ^= 1; });
+  return erring([=](sim::Rendering& r) {
+    if (!r.hits.empty()) r.hits[r.index(x, y) * HitBytes + 12] ^= 1;
+  });
 }
 
 class Mismatch : public CommandLine {
@@ -117,8 +120,7 @@ TEST_F(Mismatch, TracesTheFirstPixelThatDiffers) {
   const sim::RunRtl core = erring([](sim::Rendering& r) {
     for (const int x : {7, 5}) r.pixels[r.index(x, 4)] ^= 1;
   });
-  // castray ray starts at the root, as its one ray has no tile.
-  const Outcome outcome = render(core, "--mode bvh_root --trace " + path("a.fst") + kWithWaves);
+  const Outcome outcome = render(core, "--trace " + path("a.fst") + kWithWaves);
   EXPECT_EQ(outcome.code, cli::kMismatch) << outcome.err;
   expect_lines(outcome.out, {"wrote " + path("a.fst") + ", the waveforms of pixel (5, 4)"});
   EXPECT_EQ(made(), (std::set<std::string>{"a.png", "a.fst"}));
@@ -145,12 +147,32 @@ TEST_F(Mismatch, NamesTheFirstFewOfMany) {
 }
 
 TEST_F(Mismatch, CountersAreComparedToo) {
-  for (const auto counter : {CntTests, CntHits}) {
-    const sim::RunRtl core = erring([=](sim::Rendering& r) { ++r.counters[static_cast<std::size_t>(counter)]; });
-    const Outcome outcome = render(core, "");
+  for (const auto counter : {CntTests, CntRays, CntHits, CntCandidates, CntNodes, CntTileNodes, CntEmptyTiles}) {
+    std::uint64_t right = 0;
+    const Outcome outcome = render(erring([&](sim::Rendering& r) {
+                                     if (!r.hits.empty()) right = r.counters[static_cast<std::size_t>(counter)]++;
+                                   }), "--json " + path("a.json"));
     EXPECT_EQ(outcome.code, cli::kMismatch);
-    expect_lines(outcome.out, {"  the counters of tests or hits differ from the model's"});
+    EXPECT_NE(outcome.out.find(": " + std::to_string(right + 1) + ", in the model " + std::to_string(right) + "\n"), std::string::npos) << outcome.out;
+    EXPECT_EQ(nlohmann::json::parse(read(path("a.json")))["counters_differ"], 1);
   }
+}
+
+// What is seen only where no hit records are written: empty tiles are filled there.
+TEST_F(Mismatch, TheFrameAloneIsComparedToo) {
+  const auto alone = [&](auto&& fault) {
+    return render(erring([=](sim::Rendering& r) {
+                    if (r.hits.empty()) fault(r);
+                  }), "");
+  };
+  const Outcome pixel = alone([](sim::Rendering& r) { r.pixels[r.index(2, 1)] ^= 1; });
+  EXPECT_EQ(pixel.code, cli::kMismatch);
+  EXPECT_NE(pixel.out.find("; 1 of 192 pixels differ from the model\n  (2, 1)\n"), std::string::npos) << pixel.out;
+  const Outcome counter = alone([](sim::Rendering& r) { ++r.counters[CntEmptyTiles]; });
+  EXPECT_EQ(counter.code, cli::kMismatch);
+  EXPECT_NE(counter.out.find("\n  counter empty_tiles: "), std::string::npos) << counter.out;
+  const Outcome error = alone([](sim::Rendering& r) { r.error = ErrReadBus; });
+  EXPECT_EQ(error.code, cli::kDeviceError);
 }
 
 // The command as it is printed: the options of the core are in it, and a blank in a name.
@@ -178,6 +200,51 @@ TEST_F(Mismatch, TheReplayShowsTheValueThatDiffers) {
     const std::string line = outcome.out.substr(outcome.out.rfind('\n', mark) + 1);
     EXPECT_TRUE(line.starts_with(field)) << line;
   }
+}
+
+// The mode is that of the frame: a tile starts as it did there.
+TEST_F(Mismatch, TheReplayIsInTheModeOfTheFrame) {
+  for (const std::string mode : {"bvh", "bvh_root", "brute"}) {
+    const std::string command = replay(render(pixel_error(9, 6), "--mode " + mode).out);
+    EXPECT_EQ(command.find("--mode " + mode) != std::string::npos, mode != "bvh") << "the default need not be said: " << command;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.code, cli::kOk) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find(", mode " + mode + ": "), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.out.find("tile_bounds") != std::string::npos, mode == "bvh");
+    EXPECT_EQ(outcome.out.find("node_visits") != std::string::npos, mode != "brute");
+    EXPECT_NE(outcome.out.find("\n0 values differ"), std::string::npos) << outcome.out;
+  }
+}
+
+// Each ray of two tiles, whose contexts are used again and again: what is shown is its own.
+TEST_F(Mismatch, EveryRayOfATileIsFound) {
+  for (int x = 1; x < kWidth; x += 2)
+    for (const std::string core : {"", kWithWaves}) {
+      const Outcome outcome = run("ray " + cli::shell_word(scene_) + " " + std::to_string(x) + " " + std::to_string(x * 5 % kHeight) + " --size 16x12" + core);
+      EXPECT_EQ(outcome.code, cli::kOk) << x << outcome.out;
+    }
+}
+
+// A core that reads another root than the model: the start of the tile is where they part.
+TEST_F(Mismatch, TheReplayShowsTheStartOfATile) {
+  const sim::RunRtl core = [](SceneImage image, const sim::RtlOptions& device, const sim::RenderOptions& options, const sim::Progress& progress) {
+    std::uint8_t* const bytes = image.bytes.data() + image.header.nodes.offset;
+    node_t root = load_record<node_t>(bytes);
+    for (child_box_t* box : {&root.box0, &root.box1, &root.box2, &root.box3}) box->x0 = box->x1, box->y0 = box->y1, box->z0 = box->z1;
+    store_record(bytes, root);
+    return sim::run_rtl(image, device, options, progress);
+  };
+  const std::string command = "ray " + cli::shell_word(scene_) + " 9 6 --size 16x12";
+  const Outcome outcome = run(command, core);
+  EXPECT_EQ(outcome.code, cli::kMismatch) << outcome.err;
+  const std::size_t first = outcome.out.find("<-- differs"), start = outcome.out.find("(frontier)"), ray = outcome.out.find("(ray_gen)");
+  EXPECT_LT(start, first) << outcome.out;
+  EXPECT_LT(first, ray) << outcome.out;
+
+  // From the root there is no start: the node's children differ.
+  const Outcome root = run(command + " --mode bvh_root", core);
+  EXPECT_EQ(root.code, cli::kMismatch) << root.err;
+  EXPECT_LT(root.out.find("(step, node_visits)"), root.out.find("<-- differs")) << root.out;
 }
 
 TEST_F(Mismatch, AShellReadsItsWords) {
