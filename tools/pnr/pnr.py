@@ -11,6 +11,7 @@
 import argparse
 import concurrent.futures
 import json
+import math
 import pathlib
 import re
 import sys
@@ -38,9 +39,9 @@ LOGIC = re.compile(r"\s*(cell \$(?!buf )|switch |sync )")
 
 
 def size(design, name):
-    """Bits of the wires of a module and all below it: larger instances have more."""
-    wires = (line.split() for n in design.below(name) for line in design.modules[n].lines if line.startswith("  wire "))
-    return sum(int(words[words.index("width") + 1]) if "width" in words else 1 for words in wires)
+    """Bits of the wires and memories of a module and all below it: larger instances have more."""
+    lines = (line for n in design.below(name) for line in design.modules[n].lines)
+    return sum(math.prod(map(int, re.findall(r" (?:width|size) (\d+)", line))) for line in lines if line.startswith(("  wire ", "  memory ")))
 
 
 def is_wires(design, name):
