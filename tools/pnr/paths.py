@@ -4,14 +4,14 @@ import itertools
 import re
 
 # What synthesis and packing add to the name of a register or a memory.
-ADDED = re.compile(r"(_(TRELLIS_FF|TRELLIS_DPR16X4|DP16KD|PDPW16KD|MULT18X18D|LUT4|PFUMX|L6MUX21|CCU2C)_[A-Z].*|\$[A-Z].*|(\.\d+)+)$")
+ADDED = re.compile(r"(_(TRELLIS_FF|TRELLIS_DPR16X4|DP16KD|PDPW16KD|MULT18X18D|LUT4|PFUMX|L6MUX21|CCU2C)_[A-Z].*|\$[A-Z].*|(\.\d+)+(_?[A-Z]{2,3}\d*)?)$")
 MEMORIES = {"DO": "block RAM", "AD": "block RAM", "DI": "block RAM"}
 
 
 def plain(cell):
     """The name of a cell as it is in the RTL: the unit's own, not the wrapper's."""
     name = ADDED.sub("", ADDED.sub("", cell))
-    return name.removeprefix("u.").split(":")[0].lstrip("\\")
+    return {"rst_q": "rst_ni"}.get(name, name.removeprefix("u.").split(":")[0])
 
 
 def kind(step):
