@@ -29,9 +29,9 @@ BAR = {False: 100, True: 80}   # MHz, without and with wide products
 PRODUCT = 18                   # operand bits of a multiplier of the device
 SMALL = 8                      # bits of a product that is made of LUTs, as synth_xilinx does
 
-# Wide products are counted before they are cut into those that the device has. LUTS: products made of LUTs.
+# Wide products are counted before they are cut into those that the device has.
 FLOW = f"""synth_ecp5 -top {wrapper.TOP} -run begin:coarse
-LUTSproc
+BEFOREproc
 flatten
 opt
 wreduce
@@ -39,7 +39,10 @@ opt_clean
 tee -q -o NAME.products dump t:$mul
 synth_ecp5 -top {wrapper.TOP} -run coarse: -json NAME.json
 """
+# What is done to some modules before: products made of LUTs; a memory of which no place is read in the cycle in which it is
+# written, as the header of line_cache says, for the device has no other with two ports that both write or read.
 IN_LUTS = "proc M\nopt_expr M\nopt_clean M\nwreduce M\nopt_clean M\nbooth M\n"
+NO_COLLISIONS = "setattr -set no_rw_check 1 M/m:data_q\n"
 
 
 def has_small_only(module):
@@ -50,8 +53,13 @@ def has_small_only(module):
 
 def script(design, name, luts):
     """The commands of Yosys, the files' names left open."""
-    modules = [n for n in design.below(name) if design.modules[n].unit in luts or has_small_only(design.modules[n])]
-    return FLOW.replace("LUTS", "".join(IN_LUTS.replace(" M", f" {m}") for m in modules))
+    before = []
+    for module in map(design.modules.get, design.below(name)):
+        if module.unit == "line_cache":
+            before.append(NO_COLLISIONS.replace("M/", f"{module.name}/"))
+        if module.unit in luts or has_small_only(module):
+            before.append(IN_LUTS.replace(" M", f" {module.name}"))
+    return FLOW.replace("BEFORE", "".join(before))
 
 
 def key(design, name, luts=()):

@@ -62,10 +62,15 @@ def jobs_of(names):
     return sorted(found, key=lambda job: size(job[1], job[2]))
 
 
-def record(job):
+def record(job, **options):
+    """The record of a unit; one that the tools stop on is not placed, and the others are."""
     unit, design, module = job
-    return {"name": unit, "lanes": SMALL["Lanes"] if unit in LARGE else WHOLE["Lanes"],
-            **place.clock(design, module, IN_LUTS.get(unit, ()))}
+    try:
+        return {"name": unit, "lanes": SMALL["Lanes"] if unit in LARGE else WHOLE["Lanes"],
+                **place.clock(design, module, IN_LUTS.get(unit, ()), **options)}
+    except SystemExit as stop:
+        print(stop, flush=True)
+        return {"name": unit, "mhz": 0, "bar": max(place.BAR.values())}
 
 
 def misses(records):
@@ -122,12 +127,8 @@ def check(workers):
     changed = [unit for unit, design, module in jobs if place.key(design, module, IN_LUTS.get(unit, ())) != kept[unit]["key"]]
     wrong = [f"{len(late)} units miss their bar, more than {MAY_MISS}"] if len(late) > MAY_MISS else []
 
-    def again(job):
-        unit, design, module = job
-        return {"name": unit, **place.clock(design, module, IN_LUTS.get(unit, ()), seeds=(kept[unit]["seed"],))}
-
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        for entry in pool.map(again, [job for job in jobs if job[0] in late]):
+        for entry in pool.map(lambda job: record(job, seeds=(kept[job[0]]["seed"],)), [job for job in jobs if job[0] in late]):
             print(f"  pnr: {line(entry)}", flush=True)
             if entry["mhz"] < kept[entry["name"]]["mhz"] * ROOM:
                 wrong.append(f"{entry['name']}: {entry['mhz']} MHz, it was {kept[entry['name']]['mhz']}")
