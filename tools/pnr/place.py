@@ -41,7 +41,7 @@ synth_ecp5 -top {wrapper.TOP} -run coarse: -json NAME.json
 """
 # What is done to some modules before: products made of LUTs; a memory of which no place is read in the cycle in which it is
 # written, as the header of line_cache says, for the device has no other with two ports that both write or read.
-IN_LUTS = "proc M\nopt_expr M\nopt_clean M\nwreduce M\nopt_clean M\nbooth M\n"
+IN_LUTS = "proc M\nopt_expr M\nopt_clean M\nwreduce M\nopt_clean M\nbooth M\ntechmap M/t:$mul\n"
 NO_COLLISIONS = "setattr -set no_rw_check 1 M/m:data_q\n"
 
 
