@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The worst path of a report of nextpnr, in words."""
-import itertools
+import collections
 import re
 
 # What synthesis and packing add to the name of a register or a memory.
@@ -27,11 +27,9 @@ def kind(step):
 
 
 def through(steps):
-    """{kind: number} of what is between the registers; a carry chain counts once."""
-    found = {}
-    for name, run in itertools.groupby(kind(s) for s in steps if s["type"] == "logic"):
-        found[name] = found.get(name, 0) + (1 if name == "carry chain" else len(list(run)))
-    return found
+    """{kind: number} of what is between the registers; a carry chain counts once, where it is entered."""
+    entered = (s for s in steps if s["type"] == "logic" and s["from"]["port"] != "FCI")
+    return dict(collections.Counter(kind(s) for s in entered))
 
 
 def end(step_end):
