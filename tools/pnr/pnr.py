@@ -3,7 +3,7 @@
 """The clock of each unit and of a small core, placed and routed on an ECP5: another, slower family than the board's.
 
     pnr.py                      all of them: build/pnr.json, docs/pnr.md
-    pnr.py UNIT...              some, for example isect/ray_prim: a line each
+    pnr.py UNIT...              some, for example isect/ray_prim: a line each; --seeds 1 for a first look
     pnr.py --kept               the page of what is kept already; what is not is named
     pnr.py --check              those that miss their bar, against the clocks in tools/pnr/budgets.json
     pnr.py --record             write these anew, from what is kept
@@ -83,11 +83,11 @@ def line(entry):
             f"{path['from']} -> {path['to']}") if entry["mhz"] else f"{entry['name']}: not placed"
 
 
-def all_of(jobs, workers):
+def all_of(jobs, workers, seeds=place.SEEDS):
     """The records, in the order of rtl/castray.f. Prints progress."""
     records, done = [], 0
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        for ready in concurrent.futures.as_completed([pool.submit(record, job) for job in jobs]):
+        for ready in concurrent.futures.as_completed([pool.submit(record, job, seeds=seeds) for job in jobs]):
             records.append(ready.result())
             done += 1
             print(f"  pnr: {done} of {len(jobs)}  {line(records[-1])}", flush=True)
@@ -144,6 +144,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("units", nargs="*")
     parser.add_argument("-j", "--jobs", type=int, default=2)
+    parser.add_argument("--seeds", type=int, default=len(place.SEEDS), help="placements tried where a unit nearly reaches its bar")
     parser.add_argument("--kept", action="store_true")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--record", action="store_true")
@@ -152,14 +153,14 @@ def main():
         sys.exit(not check(args.jobs))
     jobs = jobs_of(args.units or yosys.units())
     if args.units:
-        all_of(jobs, args.jobs)
+        all_of(jobs, args.jobs, place.SEEDS[:args.seeds])
     elif args.kept or args.record:
         records, missing = of_kept(jobs)
         if args.record:
             BUDGETS.write_text(budgets(records))
         write(records, missing)
     else:
-        sys.exit(not write(all_of(jobs, args.jobs)))
+        sys.exit(not write(all_of(jobs, args.jobs, place.SEEDS[:args.seeds])))
 
 
 if __name__ == "__main__":
