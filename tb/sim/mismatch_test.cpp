@@ -211,6 +211,7 @@ TEST_F(Mismatch, TheReplayIsInTheModeOfTheFrame) {
     EXPECT_EQ(outcome.code, cli::kOk) << outcome.out << outcome.err;
     EXPECT_NE(outcome.out.find(", mode " + mode + ": "), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.out.find("tile_bounds") != std::string::npos, mode == "bvh");
+    EXPECT_NE(outcome.out.find(mode == "bvh" ? " 8x8 at 8, 0" : " 1x1 at 9, 6"), std::string::npos) << "the whole tile: " << outcome.out;
     EXPECT_EQ(outcome.out.find("node_visits") != std::string::npos, mode != "brute");
     EXPECT_NE(outcome.out.find("\n0 values differ"), std::string::npos) << outcome.out;
   }
