@@ -45,64 +45,55 @@ module ray_store
   output logic            out_neg_o,
   output logic            out_any_hit_o
 );
-  // One array a field: what no unit reads together is not stored together.
-  coord_t     org_x_q [Contexts];
-  coord_t     org_y_q [Contexts];
-  coord_t     org_z_q [Contexts];
-  shear_t     sx_q    [Contexts];
-  shear_t     sy_q    [Contexts];
-  norm2_t     norm2_q [Contexts];
-  axis_t      axis_q  [Contexts];
-  recip_t     rx_q    [Contexts];
-  recip_t     ry_q    [Contexts];
-  logic [3:0] flags_q [Contexts];   // any_hit, valid, cull, neg
-  t_t         tmin_q  [Contexts];
-  prim_t      ignore_q[Contexts];
-  pixel_tag_t tag_q   [Contexts];
+  // One array for each reader, whose fields fill its memories without gaps.
+  typedef struct packed {
+    logic  valid;
+    prim_t ignore;
+  } look_t;
+  typedef struct packed {
+    pixel_tag_t tag;
+    shear_t     sx;
+    shear_t     sy;
+    axis_t      axis;
+    logic       neg;
+    logic       any_hit;
+  } out_t;
+  test_ray_t test_q    [Contexts];
+  look_t     look_q    [Contexts];
+  slab_ray_t node_q    [Contexts];
+  logic      any_hit_q [Contexts];   // for the steps
+  hit_ray_t  hit_q     [Contexts];
+  out_t      out_q     [Contexts];
 
   always_ff @(posedge clk_i) begin
     if (write_i) begin
-      org_x_q[write_ctx_i]  <= ray_i.org.x;
-      org_y_q[write_ctx_i]  <= ray_i.org.y;
-      org_z_q[write_ctx_i]  <= ray_i.org.z;
-      sx_q[write_ctx_i]     <= ray_i.sx;
-      sy_q[write_ctx_i]     <= ray_i.sy;
-      norm2_q[write_ctx_i]  <= ray_i.norm2;
-      axis_q[write_ctx_i]   <= ray_i.axis;
-      flags_q[write_ctx_i]  <= {ray_i.any_hit, ray_i.valid, ray_i.cull, ray_i.neg};
-      rx_q[write_ctx_i]     <= ray_i.rx;
-      ry_q[write_ctx_i]     <= ray_i.ry;
-      tmin_q[write_ctx_i]   <= ray_i.tmin;
-      ignore_q[write_ctx_i] <= ray_i.ignore;
-      tag_q[write_ctx_i]    <= ray_i.tag;
+      test_q[write_ctx_i]    <= '{org: ray_i.org, sx: ray_i.sx, sy: ray_i.sy, norm2: ray_i.norm2, axis: ray_i.axis,
+                                  neg: ray_i.neg, cull: ray_i.cull};
+      look_q[write_ctx_i]    <= '{valid: ray_i.valid, ignore: ray_i.ignore};
+      node_q[write_ctx_i]    <= '{org: ray_i.org, axis: ray_i.axis, neg: ray_i.neg, rx: ray_i.rx, ry: ray_i.ry,
+                                  tmin: ray_i.tmin};
+      any_hit_q[write_ctx_i] <= ray_i.any_hit;
+      hit_q[write_ctx_i]     <= '{norm2: ray_i.norm2, neg: ray_i.neg, cull: ray_i.cull, tmin: ray_i.tmin};
+      out_q[write_ctx_i]     <= '{tag: ray_i.tag, sx: ray_i.sx, sy: ray_i.sy, axis: ray_i.axis, neg: ray_i.neg,
+                                  any_hit: ray_i.any_hit};
     end
   end
 
-  assign test_ray_o = '{
-    org: '{x: org_x_q[test_ctx_i], y: org_y_q[test_ctx_i], z: org_z_q[test_ctx_i]},
-    sx: sx_q[test_ctx_i], sy: sy_q[test_ctx_i], norm2: norm2_q[test_ctx_i],
-    axis: axis_q[test_ctx_i], neg: flags_q[test_ctx_i][0], cull: flags_q[test_ctx_i][1]
-  };
-  assign look_valid_o  = flags_q[look_ctx_i][2];
-  assign look_ignore_o = ignore_q[look_ctx_i];
+  look_t look;
+  out_t  out;
+  assign look = look_q[look_ctx_i];
+  assign out  = out_q[out_ctx_i];
 
-  assign node_ray_o = '{
-    org: '{x: org_x_q[node_ctx_i], y: org_y_q[node_ctx_i], z: org_z_q[node_ctx_i]},
-    axis: axis_q[node_ctx_i], neg: flags_q[node_ctx_i][0],
-    rx: rx_q[node_ctx_i], ry: ry_q[node_ctx_i], tmin: tmin_q[node_ctx_i]
-  };
-
-  assign step_any_hit_o = {flags_q[step_ctx_i[1]][3], flags_q[step_ctx_i[0]][3]};
-
-  assign hit_ray_o = '{
-    norm2: norm2_q[hit_ctx_i], neg: flags_q[hit_ctx_i][0], cull: flags_q[hit_ctx_i][1],
-    tmin: tmin_q[hit_ctx_i]
-  };
-
-  assign out_tag_o  = tag_q[out_ctx_i];
-  assign out_sx_o   = sx_q[out_ctx_i];
-  assign out_sy_o   = sy_q[out_ctx_i];
-  assign out_axis_o = axis_q[out_ctx_i];
-  assign out_neg_o  = flags_q[out_ctx_i][0];
-  assign out_any_hit_o = flags_q[out_ctx_i][3];
+  assign test_ray_o     = test_q[test_ctx_i];
+  assign look_valid_o   = look.valid;
+  assign look_ignore_o  = look.ignore;
+  assign node_ray_o     = node_q[node_ctx_i];
+  assign step_any_hit_o = {any_hit_q[step_ctx_i[1]], any_hit_q[step_ctx_i[0]]};
+  assign hit_ray_o      = hit_q[hit_ctx_i];
+  assign out_tag_o      = out.tag;
+  assign out_sx_o       = out.sx;
+  assign out_sy_o       = out.sy;
+  assign out_axis_o     = out.axis;
+  assign out_neg_o      = out.neg;
+  assign out_any_hit_o  = out.any_hit;
 endmodule
