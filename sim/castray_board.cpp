@@ -43,6 +43,8 @@ struct Arguments {
         image = word;
       } else if (const auto option = options.find(word); option != options.end() && i + 1 < argc) {
         option->second = argv[++i];
+        if (option->second.empty() && (word == "-o" || word == "--frame" || word == "--hits" || word == "--rays"))
+          throw UsageError(word + ": the name is empty");
       } else {
         throw UsageError(word + ": is no option, or its value is missing");
       }
@@ -53,6 +55,7 @@ struct Arguments {
     if (at("--timeout").empty() || at("--timeout").find_first_not_of("0123456789") != std::string::npos ||
         at("--timeout").size() > 9)
       throw UsageError("--timeout " + at("--timeout") + ": milliseconds");
+    if (!at("--rays").empty() && at("--hits").empty()) throw UsageError("--rays: its hit records need --hits FILE");
     if (!at("--rays").empty() && (!at("-o").empty() || !at("--frame").empty()))
       throw UsageError("-o, --frame: a list of rays has no picture; its hit records go to --hits");
   }
@@ -107,7 +110,7 @@ error_t run(const Arguments& args) {
   const Mode mode = args.mode();
   args.check_outputs();
   const SceneImage image = read_image(args.image);
-  const std::string rays = args.at("--rays").empty() ? "" : read_file(args.at("--rays"));
+  const std::string rays = args.at("--rays").empty() ? "" : read_file(args.at("--rays"), std::uint64_t{MaxRays} * RayBytes);
   if (args.at("--rays").empty() && image.frame.width == 0)
     throw UsageError(args.image + ": is compiled for a list of rays: name one with --rays");
   std::unique_ptr<Device> device;

@@ -36,13 +36,19 @@ std::string mean_of(std::span<const std::uint32_t> values) {
   return text;
 }
 
+// Pixels of the sheet for each of the frame, either way.
+int scale_of(int width, int height) { return std::max(1, std::min((kLeastWidth + width - 1) / width, kMostEnlarged / height)); }
+int across_of(int width, int height) { return std::max(kLeastWidth, width * scale_of(width, height)); }  // room for the scale
+
 }  // namespace
+
+void check_heat_map(const std::filesystem::path& file, int width, int height) {
+  check_picture(file, across_of(width, height), height * scale_of(width, height) + kFooter);
+}
 
 void write_heat_map(const std::filesystem::path& file, int width, int height, std::span<const std::uint32_t> values,
                     const std::string& caption, const Metadata& metadata) {
-  const int scale = std::max(1, std::min((kLeastWidth + width - 1) / width, kMostEnlarged / height));
-  const int down = height * scale;
-  const int across = std::max(kLeastWidth, width * scale);   // of the sheet: room for the scale
+  const int scale = scale_of(width, height), down = height * scale, across = across_of(width, height);
   const std::uint32_t most = values.empty() ? 0 : *std::max_element(values.begin(), values.end());
   const auto at = [&](int x, int y) {
     const std::size_t pixel = static_cast<std::size_t>(y / scale) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x / scale);

@@ -14,4 +14,7 @@ namespace castray::sim {
 void write_heat_map(const std::filesystem::path& file, int width, int height, std::span<const std::uint32_t> values,
                     const std::string& caption, const Metadata& metadata);
 
+// Fails now if the heat map of a frame of this size cannot be written there.
+void check_heat_map(const std::filesystem::path& file, int width, int height);
+
 }  // namespace castray::sim

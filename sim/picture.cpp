@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <memory>
+#include <string_view>
 
 #include "scene/compile.hpp"
 #include "scene/replacement.hpp"
@@ -32,12 +33,16 @@ std::unique_ptr<OIIO::ImageOutput> output_for(const fs::path& file) {
   return output;
 }
 
+// To the name, for the file.
+void write_to(OIIO::ImageOutput& output, const fs::path& file, const fs::path& name, const ImageSpec& spec, TypeDesc format, const void* data) {
+  if (!output.open(name.string(), spec) || !output.write_image(format, data) || !output.close())
+    throw PictureError(file, "cannot be written: " + last_line(output.geterror()));
+}
+
 void write(const fs::path& file, ImageSpec& spec, TypeDesc format, const void* data, const Metadata& metadata) {
   for (const auto& [key, value] : metadata) spec.attribute(key, value);
   Replacement replacement(file);
-  const auto output = output_for(file);
-  if (!output->open(replacement.name().string(), spec) || !output->write_image(format, data) || !output->close())
-    throw PictureError(file, "cannot be written: " + last_line(output->geterror()));
+  write_to(*output_for(file), file, replacement.name(), spec, format, data);
   if (const std::error_code error = replacement.commit()) throw PictureError(file, "cannot be written: " + error.message());
 }
 
@@ -122,9 +127,17 @@ void check_writable(const fs::path& file) {
   if (const std::error_code error = Replacement::check(file)) throw PictureError(file, "cannot be written: " + error.message());
 }
 
-void check_picture(const fs::path& file) {
-  output_for(file);
+// Not every format that OpenImageIO writes holds three channels of any size: a black picture is written beside its place, and
+// removed. What stands there and is no file, a pipe, is not written twice.
+void check_picture(const fs::path& file, int width, int height) {
+  const auto output = output_for(file);
+  const std::string_view format = output->format_name();
+  if (format == "null" || format == "term") throw PictureError(file, "no picture format of this name: it makes no file");
   check_writable(file);
+  const Replacement replacement(file);
+  if (replacement.name() == file) return;
+  write_to(*output, file, replacement.name(), ImageSpec(width, height, 3, TypeDesc::UINT8), TypeDesc::UINT8,
+           std::vector<std::uint8_t>(std::size_t{3} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)).data());
 }
 
 void check_aov(const fs::path& file) {

@@ -41,9 +41,9 @@ void write_aov(const std::filesystem::path& file, const Rendering& rendering, co
 // The float channels alone.
 void write_aov(const std::filesystem::path& file, const ReferenceFrame& frame, const Metadata& metadata);
 
-// Fail now rather than after a long rendering if the file cannot be written: any, a picture, an AOV.
+// Fail now rather than after a long rendering if the file cannot be written: any, a picture of this size, an AOV.
 void check_writable(const std::filesystem::path& file);
-void check_picture(const std::filesystem::path& file);
+void check_picture(const std::filesystem::path& file, int width, int height);
 void check_aov(const std::filesystem::path& file);
 
 }  // namespace castray::sim

@@ -46,7 +46,7 @@ void bounds(const Scene& scene, Vec3& low, Vec3& high) {
   for (const Sphere& sphere : scene.spheres) add(sphere.centre - Vec3(sphere.radius), sphere.centre + Vec3(sphere.radius));
 }
 
-void frame_scene(Scene& scene) {
+bool frame_scene(Scene& scene) {
   Vec3 low, high;
   bounds(scene, low, high);
   const Vec3 centre = (low + high) / 2;
@@ -54,7 +54,7 @@ void frame_scene(Scene& scene) {
   const double half = scene.camera.field_of_view * std::numbers::pi / 360;
   const double narrow = std::atan(std::tan(half) * std::min(1.0, double(scene.width) / scene.height));
   const Vec3 eye = centre + unit_or_zero(Vec3(0.35, 0.45, 1)) * (radius / std::sin(narrow));
-  look_at(eye, centre, Vec3(0, 1, 0), scene.camera.to_world);
+  return look_at(eye, centre, Vec3(0, 1, 0), scene.camera.to_world);
 }
 
 Matrix rotation(const Vec3& axis, double degrees) {

@@ -10,8 +10,9 @@ namespace castray {
 bool look_at(const Vec3& eye, const Vec3& target, const Vec3& up, Matrix& to_world);
 
 // Frames the scene: seen from in front, a little from the right and from above, with the whole of
-// its bounding sphere inside the picture.
-void frame_scene(Scene& scene);
+// its bounding sphere inside the picture. Returns false when it is too small for where it lies: rounding
+// leaves no distance.
+bool frame_scene(Scene& scene);
 
 // The box of all primitives. The scene must not be empty.
 void bounds(const Scene& scene, Vec3& low, Vec3& high);

@@ -19,12 +19,19 @@ void check_readable(const std::filesystem::path& path) {
   if (!std::ifstream(path, std::ios::binary)) throw SceneError(path.string(), "open", std::strerror(errno));
 }
 
-std::string read_file(const std::filesystem::path& path) {
+std::string too_many_bytes(std::uint64_t most) { return "more than " + std::to_string(most) + " bytes, the most that are read"; }
+
+std::string read_file(const std::filesystem::path& path, std::uint64_t most) {
   check_readable(path);
+  std::error_code none;
+  if (const std::uint64_t size = std::filesystem::file_size(path, none); !none && size > most) throw SceneError(path.string(), "read", too_many_bytes(most));
   std::ifstream in(path, std::ios::binary);
   std::string bytes;
   std::array<char, 1 << 16> part;  // not by its size: a pipe has none
-  while (in.read(part.data(), part.size()), in.gcount() > 0) bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  while (in.read(part.data(), part.size()), in.gcount() > 0) {
+    if (static_cast<std::uint64_t>(in.gcount()) > most - bytes.size()) throw SceneError(path.string(), "read", too_many_bytes(most));
+    bytes.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) throw SceneError(path.string(), "read", std::strerror(errno));
   return bytes;
 }

@@ -3,7 +3,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <climits>
 #include <fstream>
 #include <string>
 
@@ -13,6 +15,16 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr int kMostLinks = 40;  // as the kernel follows
+
+// The name to write under, no longer than a name may be: a long one loses the end of its stem, or of its suffix.
+std::string part_of(const fs::path& file) {
+  if (file.filename().native().size() > NAME_MAX) return file.filename();  // cannot be opened either
+  const std::string part = ".part" + std::to_string(getpid()), stem = file.stem().string();
+  const std::string suffix = file.extension().string().substr(0, NAME_MAX - 1 - part.size());
+  std::size_t kept = std::min(stem.size(), NAME_MAX - 1 - part.size() - suffix.size());
+  while (kept < stem.size() && kept > 0 && (stem[kept] & 0xc0) == 0x80) --kept;  // not within a character
+  return "." + stem.substr(0, kept) + part + suffix;
+}
 }  // namespace
 
 fs::path place_of(const fs::path& file) {
@@ -30,7 +42,7 @@ Replacement::Replacement(const fs::path& file) : file_(file), name_(file) {
   in_place_ = fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
   if (in_place_) return;
   name_ = file_ = place_of(file);
-  name_.replace_filename("." + file_.stem().string() + ".part" + std::to_string(getpid()) + file_.extension().string());
+  name_.replace_filename(part_of(file_));
 }
 
 Replacement::~Replacement() {

@@ -103,7 +103,7 @@ void read_camera(const JsonValue& value, Scene& scene, const std::string& file) 
     else note_default(scene, "camera up", "0, 1, 0");
     if (!look_at(eye, target, up, scene.camera.to_world)) value.fail("eye, look_at and up define no direction");
   } else {
-    frame_scene(scene);
+    if (!frame_scene(scene)) throw SceneError(file, "camera", "the scene is too small for where it lies: no camera can frame it");
     const Vec3 at = scene.camera.eye();
     note_default(scene, "camera eye", text_of(at.x) + ", " + text_of(at.y) + ", " + text_of(at.z) + ", framing the scene");
   }

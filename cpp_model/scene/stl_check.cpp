@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 
 #include "scene/scene.hpp"
 
@@ -18,8 +19,8 @@ void check_stl(const std::string& bytes, const std::string& file) {
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == text.npos || text.compare(first, 5, "solid") != 0) return;
-  const std::size_t facet = text.rfind("facet normal"), end = text.rfind("endsolid");
-  if (end == text.npos || (facet != text.npos && end < facet))
+  const std::size_t end = text.rfind("endsolid");  // with the solid's name, which may be any, behind it
+  if (end == text.npos || text.find("facet normal", text.find_first_of("\r\n", end)) != text.npos)
     throw SceneError(file, "line " + std::to_string(1 + std::ranges::count(text, '\n')), "the file is truncated: it ends without endsolid");
 }
 

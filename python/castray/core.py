@@ -13,7 +13,7 @@ from .errors import ArgumentError, BusyError, ImageError, RayError, VersionError
 from .job import Jobs
 from .records import RAY
 from .results import Answers, Frame, Info
-from .scene import image_of
+from .scene import image_of, size_of
 
 MODES = {"bvh": 0, "bvh_root": 1 << layout.OptionRoot, "brute": 1 << layout.OptionBrute}
 VERSION = layout.VersionMajor << 16 | layout.VersionMinor << 8 | layout.VersionPatch
@@ -33,7 +33,7 @@ class Core:
 
     def __init__(self, overlay=None, *, sim=False, timeout=..., interrupt=None, **options):
         self._device = _open(overlay, sim, options)
-        self.timeout = self._device.timeout if timeout is ... else timeout
+        self.timeout = self._device.timeout if timeout is ... else _seconds(timeout)
         if interrupt and not self._device.has_interrupt:
             raise ArgumentError(f"{self._device.description}: there is no interrupt to wait for; interrupt=False polls")
         self._jobs = Jobs(self._device, self._device.has_interrupt if interrupt is None else interrupt)
@@ -77,6 +77,7 @@ class Core:
         them. steps: nodes that a ray may visit. window: (x0, y0, x1, y1), only these pixels; others are black, and
         no hits. frame: a buffer of allocate() that the core draws into, in place of one of the driver's own.
         """
+        timeout = self.timeout if timeout is ... else _seconds(timeout)
         options = self._options(mode, work, steps) | bool(z_order) << layout.OptionZOrder
         image = self._scene(scene, size)
         if not image.has_frame:
@@ -104,6 +105,7 @@ class Core:
 
         rays: an array of RAY, as image.rays(origins, directions) makes them. mode: bvh_root (bvh is the same) or brute.
         """
+        timeout = self.timeout if timeout is ... else _seconds(timeout)
         options = self._options(mode, work, steps) & ~(1 << layout.OptionRoot) | 1 << layout.OptionList
         rays = _checked(rays)
         self._scene(scene, None)
@@ -140,7 +142,7 @@ class Core:
     # ---- Of a job ----
     def _options(self, mode, work, steps):
         self._jobs.usable()
-        if mode not in MODES:
+        if not isinstance(mode, str) or mode not in MODES:
             raise ArgumentError(f"mode {mode!r}: it is one of {', '.join(MODES)}")
         if not isinstance(steps, (int, np.integer)) or not 0 <= steps < 1 << 24:
             raise ArgumentError(f"steps: {steps}, must be 0 (no limit) to 2^24 - 1")
@@ -151,7 +153,7 @@ class Core:
             self.load(scene, size)
         elif self._image is None:
             raise ArgumentError("no scene is loaded: give one, or load() it before")
-        elif size is not None and tuple(size) != (self._image.width, self._image.height):
+        elif size is not None and size_of(size) != (self._image.width, self._image.height):
             raise ArgumentError("size: give the scene with it, its image is made for the size of the frame")
         return self._image
 
@@ -161,10 +163,17 @@ class Core:
 
     def _run(self, timeout):
         try:
-            return self._jobs.run(self.timeout if timeout is ... else timeout)
+            return self._jobs.run(timeout)
         finally:
             if self._jobs.lost:
                 self._buffers.keep()
+
+
+def _seconds(timeout):
+    """None: however long it takes."""
+    if timeout is not None and (not isinstance(timeout, (int, float, np.integer, np.floating)) or not timeout >= 0):
+        raise ArgumentError(f"timeout: seconds, or None, are needed, not {timeout!r}")
+    return None if timeout is None or timeout == float("inf") else float(timeout)
 
 
 def _open(overlay, sim, options):

@@ -37,7 +37,8 @@ def _column(what, value, count, dtype):
     try:
         column = np.asarray(value)
         if np.issubdtype(dtype, np.integer) and not np.issubdtype(column.dtype, np.integer):
-            raise TypeError("not whole numbers")
+            if column.dtype.kind != "f" or not (np.isfinite(column) & (column == np.trunc(column))).all():
+                raise TypeError("not whole numbers")
         return np.broadcast_to(column.astype(dtype), (count,))
     except (TypeError, ValueError, OverflowError) as error:
         raise RayError(f"{what}: one value, or one for each of the {count} rays, is needed: {error}") from None

@@ -16,19 +16,14 @@ def compile(scene, size=None, origins=None):
     With origins, an array of shape (rays, 3), the image is for a list of rays from there: its grid is the
     finest that holds them, and it has no frame.
     """
+    scene = _path(scene)
     try:
         from . import _simulation
     except ImportError:
         raise NoCompilerError("this install of castray is pure Python and compiles no scenes. On a PC run "
                               f"`castray compile {scene} -o scene.image` and hand that file to the core") from None
     if size is not None:
-        try:
-            width, height = (int(side) for side in size)
-        except (TypeError, ValueError, OverflowError):
-            raise ArgumentError(f"size: (width, height) is needed, not {size!r}") from None
-        if not all(1 <= side <= layout.MaxFrameSize for side in (width, height)):
-            raise ArgumentError(f"size: {width}x{height}, each side must be 1 to {layout.MaxFrameSize}")
-        size = (width, height)
+        size = size_of(size)
     if origins is not None:
         try:
             origins = np.ascontiguousarray(origins, np.float64)
@@ -52,13 +47,31 @@ def image_of(scene, size=None):
     elif isinstance(scene, (bytes, bytearray, memoryview, np.ndarray)):
         image = SceneImage(scene)
     else:
-        path = pathlib.Path(scene)
+        path = _path(scene)
         if not path.is_file():
             raise SceneError(f"{path}: there is no such file")
         with path.open("rb") as file:
             if file.read(4) != layout.ImageMagic.to_bytes(4, "little"):
                 return compile(path, size)
         image = SceneImage.load(path)
-    if size is not None and tuple(size) != (image.width, image.height):
-        raise ArgumentError(f"size: the image is compiled for {image.width}x{image.height}; compile the scene with size={tuple(size)}")
+    if size is not None and size_of(size) != (image.width, image.height):
+        raise ArgumentError(f"size: the image is compiled for {image.width}x{image.height}; compile the scene with size={size_of(size)}")
     return image
+
+
+def size_of(size):
+    """(width, height)."""
+    try:
+        width, height = (int(side) for side in size)
+    except (TypeError, ValueError, OverflowError):
+        raise ArgumentError(f"size: (width, height) is needed, not {size!r}") from None
+    if not all(1 <= side <= layout.MaxFrameSize for side in (width, height)):
+        raise ArgumentError(f"size: {width}x{height}, each side must be 1 to {layout.MaxFrameSize}")
+    return width, height
+
+
+def _path(scene):
+    if not isinstance(scene, (str, os.PathLike)) or "\0" in str(scene):
+        what = "a name with a zero byte" if isinstance(scene, (str, os.PathLike)) else type(scene).__name__
+        raise ArgumentError(f"scene: the name of a scene file, a mesh or an image is needed, not {what}")
+    return pathlib.Path(scene)

@@ -45,6 +45,13 @@ class Simulation(Device):
         except ImportError as error:
             raise NoSimulationError("this install of castray is pure Python and has no simulated core: on a PC, "
                                     f"`pip install .` in the sources builds one ({error})") from None
+        numbers = {"lanes": lanes, "contexts": contexts, "tile": tile, "ports": ports, "l2_kbytes": l2_kbytes, "seed": seed,
+                   "patience": patience}
+        for what, value in numbers.items():
+            most = (1 << 64 if what in ("seed", "patience") else 1 << 31) - 1
+            if not isinstance(value, (int, np.integer)) or not 0 <= value <= most:
+                raise ArgumentError(f"{what}: {value!r}, must be a whole number from 0 to {most}")
+        tile = int(tile)
         if tile not in (4, 8, 16):
             raise ArgumentError(f"tile: {tile}, must be 4, 8 or 16")
         folder = pathlib.Path(cores or os.environ.get("CASTRAY_CORES") or pathlib.Path(__file__).parent / "cores")
@@ -67,8 +74,8 @@ class Simulation(Device):
         self._core.write32(offset, value)
 
     def allocate(self, nbytes):
-        if nbytes < 1:
-            raise ArgumentError(f"a buffer of {nbytes} bytes")
+        if not isinstance(nbytes, (int, np.integer)) or nbytes < 1:
+            raise ArgumentError(f"a buffer of {nbytes!r} bytes")
         try:
             return SimulatedBuffer(self._core, nbytes)
         except MemoryError:

@@ -33,6 +33,8 @@ std::string whole_number(const std::string& text) {
   return whole ? "" : "'" + text + "' is not a whole number from 0 to 2^64 - 1";
 }
 
+std::string output_name(const std::string& text) { return text.empty() ? "the name is empty" : ""; }
+
 std::string shell_word(const std::string& word) {
   constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./,:=+@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
@@ -82,7 +84,7 @@ void CoreArguments::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--tile", tile, "side of a tile in pixels")->check(CLI::IsMember({4, 8, 16}))->capture_default_str();
   command.add_option("--ports", ports, "memory ports of the core")->check(CLI::IsMember({1, 2}))->capture_default_str();
-  command.add_option("--l2", l2_kbytes, "KB of the shared cache; 0: none")->check(whole_number)->capture_default_str();
+  command.add_option("--l2", l2_kbytes, "KB of the shared cache; 0: none")->check(CLI::Range(0, 1 << 20))->capture_default_str();
   command
       .add_option(
           "--mode", mode,

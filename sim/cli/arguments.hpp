@@ -23,6 +23,9 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> parse_pair(const std::str
 // For check(): empty, or what is wrong. CLI11 takes "-1" for the largest number there is.
 std::string whole_number(const std::string& text);
 
+// The same of the name of a file that is to be written.
+std::string output_name(const std::string& text);
+
 struct SceneArguments {
   std::string file;
   std::optional<std::string> size;  // none: the scene's own

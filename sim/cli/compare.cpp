@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // castray compare: two pictures, their dimensions first.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -15,8 +18,30 @@ struct Arguments {
   int tolerance = 0;
 };
 
+// The libraries of some formats write to standard error themselves, before the error arrives here: while this stands they
+// write to nobody.
+class Silence {
+ public:
+  Silence() : kept_(dup(STDERR_FILENO)), nobody_(open("/dev/null", O_WRONLY | O_CLOEXEC)) {
+    std::fflush(stderr);
+    if (kept_ >= 0 && nobody_ >= 0) dup2(nobody_, STDERR_FILENO);
+  }
+  ~Silence() {
+    std::fflush(stderr);
+    if (kept_ >= 0 && nobody_ >= 0) dup2(kept_, STDERR_FILENO);
+    if (kept_ >= 0) close(kept_);
+    if (nobody_ >= 0) close(nobody_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  int kept_, nobody_;
+};
+
 sim::Picture read(const std::string& file) {
   try {
+    const Silence silence;
     return sim::read_picture(file);
   } catch (const sim::PictureError& e) {
     throw InputError(e.what());

@@ -23,8 +23,9 @@ void compile_to(const Arguments& args) {
   const SceneImage image = compile(scene, scene.width, scene.height);
   args.scene.print_notes(scene);
   for (const std::string& line : image.warnings) std::fprintf(stderr, "%s: warning: %s\n", args.scene.file.c_str(), line.c_str());
+  std::FILE* const people = is_standard_output(args.output) ? stderr : stdout;
   write_output(args.output, std::string(image.bytes.begin(), image.bytes.end()));
-  std::printf("wrote %s: %s bytes, a frame of %dx%d\n", args.output.c_str(), grouped(image.bytes.size()).c_str(), scene.width, scene.height);
+  std::fprintf(people, "wrote %s: %s bytes, a frame of %dx%d\n", args.output.c_str(), grouped(image.bytes.size()).c_str(), scene.width, scene.height);
 }
 
 }  // namespace

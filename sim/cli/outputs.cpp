@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "outputs.hpp"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <map>
 
 #include "command.hpp"
@@ -32,6 +35,11 @@ void check_outputs(const std::vector<Output>& outputs, const Scene& scene, const
   }
   for (const Output& output : outputs)
     if (!output.file.empty()) output.check(output.file);
+}
+
+bool is_standard_output(const fs::path& file) {
+  struct stat named, standard;
+  return stat(file.c_str(), &named) == 0 && fstat(STDOUT_FILENO, &standard) == 0 && named.st_dev == standard.st_dev && named.st_ino == standard.st_ino;
 }
 
 void write_output(const fs::path& file, const std::string& bytes) {

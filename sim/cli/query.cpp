@@ -49,7 +49,7 @@ struct Arguments {
 class Query {
  public:
   Query(const Arguments& arguments, const Context& context)
-      : args_(arguments), context_(context), people_(args_.output == kStandard ? stderr : stdout), scene_(args_.scene.load()) {}
+      : args_(arguments), context_(context), people_(args_.output == kStandard || is_standard_output(args_.output) ? stderr : stdout), scene_(args_.scene.load()) {}
 
   ExitCode run() {
     if (args_.output.empty()) throw InputError("--output: the name is empty; -: standard output");
@@ -62,6 +62,7 @@ class Query {
     check_outputs({{"--output", args_.output == kStandard ? "" : args_.output, sim::check_writable},
                    {"--json", args_.json, sim::check_writable}, {"--trace", args_.trace, sim::check_writable}}, scene_, inputs);
     read_rays();
+    if (args_.engine.name == "rtl") sim::make_core(args_.core.options().variant, 0, !args_.trace.empty());  // is it built?
     report_ = {{"scene", std::filesystem::path(args_.scene.file).stem().string()},
                {"engine", args_.engine.name},
                {"mode", name_of(args_.mode())},
@@ -74,7 +75,8 @@ class Query {
 
  private:
   void read_rays() {
-    const std::string bytes = args_.rays == kStandard ? read_standard_input() : read_file(args_.rays);
+    const std::uint64_t most = args_.raw ? std::uint64_t{MaxRays} * RayBytes : kMostFileBytes;
+    const std::string bytes = args_.rays == kStandard ? read_standard_input(most) : read_file(args_.rays, most);
     if (args_.raw) records_ = parse_records(args_.name(), bytes);
     else text_ = parse_rays(args_.name(), bytes, scene_.primitives());
     const std::size_t all = args_.raw ? records_.size() / RayBytes : text_.rays.size();
@@ -122,7 +124,7 @@ class Query {
   // ---- RTL and model ----
   ExitCode on_device() {
     make_records();
-    print_notes();
+    if (args_.engine.name != "uio") print_notes();
     ExitCode code = kOk;
     const sim::Answers answers = args_.engine.name == "rtl" ? on_rtl(code) : args_.engine.name == "uio" ? on_board() : on_model();
     if (answers.error != ErrNone) {
@@ -167,6 +169,7 @@ class Query {
     ProgressBar bar("tracing");
     const BoardFacts facts = run_on_board(
         context_, args_.board, image_, [&](sim::Driver& driver) { answers = driver.query(asked(), options(), progress(bar)); });
+    print_notes();  // no longer refused by the board
     report_.update(report_of(answers.counters));
     report_["device"] = facts.device;
     report_["seconds"] = facts.seconds;
@@ -285,6 +288,7 @@ void add_query(CLI::App& app, Context& context) {
       ->check(whole_number);
   command->add_option("--trace", args->trace,
                       "waveforms (FST) of --only one ray; a core with waveforms: make build/cores/l3c32t3p2m128w.so");
+  for (const char* const output : {"--json", "--trace"}) command->get_option(output)->check(output_name);
   command->callback([args, &context] { context.code = Query(*args, context).run(); });
 }
 

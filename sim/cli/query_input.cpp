@@ -11,16 +11,18 @@
 #include "command.hpp"
 #include "mem/ray_request.hpp"
 #include "scene/camera.hpp"
+#include "scene/files.hpp"
 #include "scene/text.hpp"
 
 namespace castray::cli {
 
-std::string read_standard_input() {
+std::string read_standard_input(std::uint64_t most) {
   std::string bytes;
   std::array<char, 1 << 16> part;
   for (;;) {
     const ssize_t count = ::read(STDIN_FILENO, part.data(), part.size());
     if (count == 0) return bytes;
+    if (count > 0 && static_cast<std::uint64_t>(count) > most - bytes.size()) throw InputError("standard input: read: " + too_many_bytes(most));
     if (count > 0) bytes.append(part.data(), static_cast<std::size_t>(count));
     else if (errno != EINTR) throw InputError(std::string("standard input: read: ") + std::strerror(errno));
   }

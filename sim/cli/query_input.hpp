@@ -10,8 +10,8 @@
 
 namespace castray::cli {
 
-// All of it. Throws InputError.
-std::string read_standard_input();
+// All of it. Throws InputError when it cannot be read, or has more than so many bytes.
+std::string read_standard_input(std::uint64_t most);
 
 // The bytes of ray_record_t. Throws InputError "name: cause" where they are none, not whole, too many, or a
 // flag of one is none; whatever else they hold is a ray or a miss.

@@ -50,6 +50,7 @@ ExitCode ray(const Arguments& args, const sim::RunRtl& run_rtl) {
     throw InputError("pixel (" + std::to_string(args.x) + ", " + std::to_string(args.y) + ") is outside the frame of " +
                      std::to_string(scene.width) + "x" + std::to_string(scene.height));
   check_outputs({{"--trace", args.trace, sim::check_writable}}, scene);
+  sim::make_core(args.core.options().variant, 0, !args.trace.empty());  // is it built?
   const SceneImage image = compile(scene, scene.width, scene.height);
   args.scene.print_notes(scene);
   const sim::RenderOptions options = args.core.replay(scene, args.x, args.y);
@@ -113,7 +114,8 @@ void add_ray(CLI::App& app, Context& context) {
   command->add_option("x", args->x, "column of the pixel, from the left")->required();
   command->add_option("y", args->y, "row of the pixel, from the top")->required();
   args->core.add_to(*command);
-  command->add_option("--trace", args->trace, "waveforms (FST) of the run; a core with waveforms: make build/cores/l3c32t3p2m128w.so");
+  command->add_option("--trace", args->trace, "waveforms (FST) of the run; a core with waveforms: make build/cores/l3c32t3p2m128w.so")
+      ->check(output_name);
   command->add_option("--limit", args->limit, "items of a stage that are shown in full")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->callback([args, &context] { context.code = ray(*args, context.run_rtl); });
 }

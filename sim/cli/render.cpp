@@ -54,15 +54,17 @@ class Render {
       throw InputError("--trace: needs --trace-window, or --check, whose first pixel that differs is traced");
     if (!args_.trace.empty() && args_.engine.name != "rtl") throw InputError("--trace: only --engine rtl has waveforms");
     if (output().extension().empty()) throw InputError("--output " + output().string() + ": the suffix says which format");
-    check_outputs({{"--output", output(), sim::check_picture}, {"--aov", args_.aov, sim::check_aov},
+    const auto check_map = [this](const fs::path& file) { sim::check_heat_map(file, scene_.width, scene_.height); };
+    const auto check_picture = [this](const fs::path& file) { sim::check_picture(file, scene_.width, scene_.height); };
+    check_outputs({{"--output", output(), check_picture}, {"--aov", args_.aov, sim::check_aov},
                    {"--json", args_.json, sim::check_writable}, {"--frame", args_.frame, sim::check_writable},
-                   {"--hits", args_.hits, sim::check_writable}, {"--nodes-map", args_.nodes_map, sim::check_picture},
-                   {"--tests-map", args_.tests_map, sim::check_picture}, {"--save-scene", args_.save_scene, sim::check_writable},
+                   {"--hits", args_.hits, sim::check_writable}, {"--nodes-map", args_.nodes_map, check_map},
+                   {"--tests-map", args_.tests_map, check_map}, {"--save-scene", args_.save_scene, sim::check_writable},
                    {"--trace", args_.trace, sim::check_writable}}, scene_);
-    if (!args_.trace.empty()) {  // what waveforms need is known before the frame
+    if (args_.engine.name == "rtl") {  // whether the core is built, and with waveforms, is known before the frame
       sim::RtlOptions device = args_.core.options();
       if (!args_.trace_window.empty()) set_window(device);
-      sim::make_core(device.variant, 0, true);
+      sim::make_core(device.variant, 0, !args_.trace.empty());
     }
     if (!args_.save_scene.empty()) save_scene(scene_, args_.save_scene);
     report_ = {{"scene", fs::path(args_.scene.file).stem().string()}, {"engine", args_.engine.name}, {"mode", args_.core.mode},
@@ -102,9 +104,7 @@ class Render {
   // ---- RTL and model ----
   ExitCode on_device() {
     image_ = compile(scene_, scene_.width, scene_.height);
-    args_.scene.print_notes(scene_);
-    for (const std::string& line : image_.warnings)
-      std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
+    if (args_.engine.name != "uio") print_notes();
     ExitCode code = kOk;
     const sim::Rendering rendering = args_.engine.name == "rtl"   ? on_rtl(code)
                                      : args_.engine.name == "uio" ? on_board()
@@ -131,6 +131,12 @@ class Render {
     std::fprintf(stderr, "castray: the core stopped with error %d: %s\n", static_cast<int>(rendering.error), meaning(rendering.error));
     report_["error"] = static_cast<int>(rendering.error);
     return true;
+  }
+
+  void print_notes() const {
+    args_.scene.print_notes(scene_);
+    for (const std::string& line : image_.warnings)
+      std::fprintf(stderr, "%s: warning: %s\n", args_.scene.file.c_str(), line.c_str());
   }
 
   void write_maps(const sim::Rendering& rendering) const {
@@ -167,6 +173,7 @@ class Render {
     const BoardFacts facts = run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) {
       rendering = driver.render(options(wants_hits()), progress(bar));
     });
+    print_notes();  // no longer refused by the board
     report_.update(report_of(rendering.counters));
     report_["device"] = facts.device;
     report_["seconds"] = facts.seconds;
@@ -334,6 +341,8 @@ void add_render(CLI::App& app, Context& context) {
                       "waveforms (FST): of --trace-window, or with --check of the first pixel that differs; "
                       "a core with waveforms: make build/cores/l3c32t3p2m128w.so");
   command->add_option("--trace-window", args->trace_window, "FIRST:LAST, cycles since power-up");
+  for (const char* const output : {"--output", "--aov", "--json", "--frame", "--hits", "--nodes-map", "--tests-map", "--save-scene", "--trace"})
+    command->get_option(output)->check(output_name);
   command->callback([args, &context] { context.code = Render(*args, context).run(); });
 }
 

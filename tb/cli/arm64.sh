@@ -66,5 +66,24 @@ refuse 2 "no scene image" scenes/teapot.json --engine model
 refuse 2 "--engine rtl" "$work/cube.image" --engine rtl
 refuse 2 "--mode fast" "$work/cube.image" --engine model --mode fast
 refuse 2 "--timeout -1" "$work/cube.image" --timeout -1
-refuse 2 "records" "$work/cube.image" --engine model --rays "$work/err"
+refuse 2 "records" "$work/cube.image" --engine model --rays "$work/err" --hits "$work/none"
+refuse 2 "need --hits" "$work/cube.image" --engine model --rays "$work/rays"
+for option in -o --frame; do
+  refuse 2 "no picture" "$work/cube.image" --engine model --rays "$work/rays" --hits "$work/none" $option "$work/none.ppm"
+done
+for option in -o --frame --hits --rays; do refuse 2 "$option: the name is empty" "$work/cube.image" --engine model $option ""; done
+
+# Outputs are judged before the job: none of them is there after a refusal, and no input is written over.
+cp "$work/cube.image" "$work/kept.image"
+refuse 2 "scene image as well" "$work/kept.image" --engine model --frame "$work/kept.image"
+refuse 2 "file of --rays as well" "$work/cube.image" --engine model --rays "$work/rays" --hits "$work/rays"
+refuse 2 "file of --frame as well" "$work/cube.image" --engine model --frame "$work/none" --hits "$work/../${work##*/}/none"
+refuse 6 "none/a.ppm: cannot be written" "$work/cube.image" --engine model --frame "$work/none" -o "$work/none/a.ppm"
+refuse 6 "cannot be written" "$work/cube.image" --engine model --hits "$work"
+refuse 6 "No space left" "$work/cube.image" --engine model --hits /dev/full
+[[ ! -e $work/none ]] || fail "a file was written though the job was refused"
+cmp "$work/kept.image" "$work/cube.image"
+code=0
+arm64 "$work/cube.image" --engine model > /dev/full 2> "$work/err" || code=$?
+[[ $code -eq 6 ]] && grep -q "standard output" "$work/err" || fail "a full standard output: exit code $code, not 6"
 echo "arm64: the frames and hits are those of scenes/frames.sha256"

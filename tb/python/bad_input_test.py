@@ -61,6 +61,34 @@ def test_a_scene_that_is_none(core, tmp_path, started):
     assert not started
 
 
+@pytest.mark.parametrize("scene", [5, 1.5, ["a.json"], "a\0.json"])
+def test_a_scene_that_is_no_name(core, scene, started):
+    for call in (core.render, castray.compile):
+        with pytest.raises(castray.ArgumentError, match="scene: the name"):
+            call(scene)
+    with pytest.raises(castray.ArgumentError, match="not bytes"):
+        castray.compile(b"scenes/cube.json")
+    assert not started
+
+
+@pytest.mark.parametrize("options, words", [
+    ({"size": 5}, "size"), ({"size": (8, float("inf"))}, "size"), ({"size": (8, 0)}, "size"), ({"size": "8x8"}, "size"),
+    ({"origins": [[0, 0, 0], [1, 2]]}, "origins"), ({"origins": "abc"}, "origins"), ({"origins": [[0, 0, np.inf]]}, "origins"),
+])
+def test_a_scene_that_cannot_be_compiled_so(options, words):
+    with pytest.raises(castray.ArgumentError, match=words):
+        castray.compile(SCENES / "cube.json", **options)
+
+
+def test_memory_that_there_is_not(core, cube):
+    with pytest.raises(castray.NoMemoryError, match="buffer of 1152921504606846976 bytes"):
+        core.allocate(1 << 60)
+    for nbytes in (0, -1, 1.5, "x"):
+        with pytest.raises(castray.ArgumentError, match="buffer of"):
+            core.allocate(nbytes)
+    assert renders(core, cube)
+
+
 def test_an_image_file_cut_short(core, cube, tmp_path, started):
     (tmp_path / "cube.image").write_bytes(cube.bytes[:1000].tobytes())
     with pytest.raises(castray.ImageError, match="cube.image: .*cut short"):
@@ -70,6 +98,9 @@ def test_an_image_file_cut_short(core, cube, tmp_path, started):
 
 @pytest.mark.parametrize("options, words", [
     ({"mode": "fast"}, "one of bvh"), ({"steps": -1}, "steps"), ({"steps": 1 << 24}, "steps"),
+    ({"steps": 1.5}, "steps"), ({"mode": ["bvh"]}, "one of bvh"), ({"mode": None}, "one of bvh"),
+    ({"timeout": "x"}, "timeout"), ({"timeout": -1}, "timeout"), ({"timeout": float("nan")}, "timeout"),
+    ({"size": 5}, "size"), ({"size": (40, float("inf"))}, "size"), ({"window": (0, 0, float("inf"), 1)}, "window"),
     ({"window": (0, 0, 41, 30)}, "window"), ({"window": (5, 5, 5, 6)}, "window"), ({"window": "all"}, "window"),
     ({"size": (80, 60)}, "compiled for 40x30"), ({"frame": bytearray(10)}, "frame"),
 ])
@@ -113,6 +144,9 @@ def test_a_flag_that_is_none(core, cube, started):
     ([[0, 0, 1e9]], [[0, 1, 0]], {}, "outside the image's grid"), ([[0, 0, 0]] * 3, [[0, 1, 0]] * 2, {}, "3 origins and 2"),
     ([[0, 0, 0]], [[0, 1, 0]], {"tmin": 2, "tmax": 2}, "empty"),
     ([[0, 0, 0]], [[0, 1, 0]], {"tmin": np.nan}, "empty"), ([[0, 0, 0]], [[0, 1, 0]], {"ignore": 12}, "primitives 0 to 11"),
+    ([[0, 0, 0]], [[0, 1, 0]], {"ignore": 1.5}, "ignore: .*not whole"),
+    ([[0, 0, 0]], [[0, 1, 0]], {"ignore": np.nan}, "ignore: .*not whole"), ([[0, 0, 0]], [[0, 1, 0]], {"ignore": np.inf}, "not whole"),
+    ([[0, 0, 0]], [[0, 1, 0]], {"ignore": "3"}, "ignore: .*not whole"), ([[0, 0, 0]], [[0, 1, 0]], {"ignore": 1 << 70}, "ignore"),
     ([[0, 0, 0]], [[0, 1, 0]], {"tmax": [1, 2]}, "tmax"),
 ])
 def test_rays_that_cannot_be_asked(cube, origins, directions, options, words):
@@ -139,6 +173,11 @@ def test_a_core_that_was_not_built():
         castray.Core(sim=True, lanes=7, contexts=1, tile=16)
     with pytest.raises(castray.ArgumentError, match="tile"):
         castray.Core(sim=True, tile=5)
+    for what, value in (("tile", 8.0), ("lanes", "3"), ("lanes", -1), ("l2_kbytes", 1 << 40), ("seed", -1), ("seed", 1 << 64), ("seed", 1.5)):
+        with pytest.raises(castray.ArgumentError, match=f"{what}: "):
+            castray.Core(sim=True, **{**ONE_LANE, what: value})
+    with pytest.raises(castray.ArgumentError, match="timeout"):
+        castray.Core(sim=True, timeout="x", **ONE_LANE)
     with pytest.raises(castray.ArgumentError, match="stall"):
         castray.Core(sim=True, stalls="never", **ONE_LANE)
 

@@ -87,6 +87,11 @@ TEST_F(Compile, GridFarFromTheOrigin) {
   EXPECT_EQ(grid.at(0x1p40, 0) - 32, 0);
 }
 
+TEST_F(Compile, ASceneTooSmallForTheFinestGrid) {
+  const Scene scene = load_scene(put("s.json", R"({"spheres": [{"centre": [0, 0, 0], "radius": 1e-40}]})"));
+  EXPECT_EQ(error_of([&] { compile(scene, 8, 8); }), "s.json: scene: nothing is left on a grid of 2^-100, the finest there is: the scene is too small");
+}
+
 TEST_F(Compile, GridOfAPoint) { EXPECT_EQ(finest_grid(Vec3(0), Vec3(0)).power, -100); }
 
 TEST_F(Compile, GridRoundsToNearest) {

@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include <climits>
 #include <thread>
 
 #include "scene/files.hpp"
@@ -32,6 +33,22 @@ TEST_F(ReplacementFile, TheOldOneStandsUntilTheNewOneIsWhole) {
   EXPECT_FALSE(whole.commit());
   EXPECT_EQ(read_file(file), "new");
   EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(ReplacementFile, NamesAsLongAsANameMayBe) {
+  const std::string longest(NAME_MAX, 'n');
+  for (const std::string& name : {longest, longest.substr(0, 246), longest.substr(4) + ".txt", "n." + longest.substr(2)}) {
+    EXPECT_FALSE(Replacement::check(folder_ / name)) << name.size();
+    write_file(folder_ / name, name);
+    EXPECT_EQ(read_file(folder_ / name), name);
+  }
+  EXPECT_EQ(Replacement(folder_ / (longest.substr(4) + ".txt")).name().extension(), ".txt");
+  std::string letters = "x";
+  while (letters.size() < NAME_MAX) letters += "\u00e9";  // of two bytes each: none is cut in half
+  const std::string part = Replacement(folder_ / letters).name().filename().string();
+  EXPECT_EQ(part.find("\xc3."), std::string::npos);
+  EXPECT_EQ(Replacement::check(folder_ / (longest + "n")), std::errc::filename_too_long);
+  EXPECT_EQ(files(), 4u);
 }
 
 TEST_F(ReplacementFile, ALinkStaysALink) {
@@ -64,6 +81,15 @@ TEST_F(ReplacementFile, AFullDeviceIsReported) {
   fs::create_symlink("/dev/full", folder_ / "full");  // by a link: whatever is replaced lies in the test's folder
   EXPECT_EQ(error_of([&] { write_file(folder_ / "full", "text"); }), "full: write: No space left on device");
   EXPECT_TRUE(fs::is_symlink(folder_ / "full"));
+}
+
+TEST_F(ReplacementFile, WhatDoesNotEndIsNotReadForEver) {
+  EXPECT_EQ(error_of([&] { read_file("/dev/zero", 1 << 20); }), "/dev/zero: read: more than 1048576 bytes, the most that are read");
+  const fs::path file = put("a.txt", "12345");
+  EXPECT_EQ(read_file(file, 5), "12345");
+  EXPECT_EQ(error_of([&] { read_file(file, 4); }), "a.txt: read: more than 4 bytes, the most that are read");
+  fs::resize_file(file, kMostFileBytes + 1);  // a hole: it takes no room
+  EXPECT_EQ(error_of([&] { read_file(file); }), "a.txt: read: more than 4294967296 bytes, the most that are read");
 }
 
 TEST_F(ReplacementFile, ChecksLeaveNothingBehind) {

@@ -283,6 +283,11 @@ TEST_F(SceneFile, BadSphere) {
   EXPECT_EQ(error(R"({"spheres": [{"centre": [0, 0, 0], "radius": 1}, {"centre": [0, 1e19, 0], "radius": 1}]})"),
             "s.json: spheres[1]: outside the number range, +-2^60");
 }
+TEST_F(SceneFile, TooSmallToBeFramedWhereItLies) {
+  const std::string sphere = R"({"spheres": [{"centre": [1e15, 1e15, 1e15], "radius": 0.001}])";
+  EXPECT_EQ(error(sphere + "}"), "s.json: camera: the scene is too small for where it lies: no camera can frame it");
+  EXPECT_EQ(error(sphere + R"(, "camera": {"eye": [1e15, 1e15, 2e15], "look_at": [1e15, 1e15, 1e15]}})"), "no error");
+}
 TEST_F(SceneFile, TransformedOutsideTheNumberRange) {
   EXPECT_EQ(error(R"({"meshes": [{"file": "m.geo", "object_to_world": [{"scale": 1e30}]}]})"),
             "m.geo: point 1, transformed: 1e+30 is outside the number range, +-2^60");

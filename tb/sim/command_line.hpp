@@ -30,16 +30,17 @@ inline std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// The words of a line as a shell reads them: blanks part them, but for those between single quotes.
+// The words of a line as a shell reads them: blanks part them, but for those between single quotes; '' is an empty one.
 inline std::vector<std::string> shell_words(const std::string& line) {
-  std::vector<std::string> words(1);
-  bool quoted = false;
+  std::vector<std::string> words;
+  bool quoted = false, within = false;  // a word
   for (const char c : line) {
+    const bool part = quoted || c != ' ';
+    if (part && !within) words.emplace_back();
+    within = part;
     if (c == '\'') quoted = !quoted;
-    else if (c != ' ' || quoted) words.back() += c;
-    else if (!words.back().empty()) words.emplace_back();
+    else if (part) words.back() += c;
   }
-  if (words.back().empty()) words.pop_back();
   return words;
 }
 

@@ -54,7 +54,8 @@ TEST_F(CommandLine, BadOptions) {
   expect_refused("render scenes/cube.json --lanes 7", 2, {"7 lanes", "make"});
   for (const std::string lanes : {"three", "0", "9", "-1", "1.5", "99999999999"}) expect_refused("render scenes/cube.json --lanes " + lanes, 2, {"lanes", lanes});
   for (const std::string contexts : {"0", "65", "-1"}) expect_refused("render scenes/cube.json --contexts " + contexts, 2, {"contexts", contexts});
-  expect_refused("render scenes/cube.json --l2 -1", 2, {"l2", "-1"});
+  for (const std::string kbytes : {"-1", "18446744073709551615", "99999999999", "1.5", "x"})
+    expect_refused("render scenes/cube.json --l2 " + kbytes, 2, {"l2", kbytes, "range"});
   for (const std::string seed : {"-1", "18446744073709551616", "1e3", "x"})
     expect_refused("render scenes/cube.json --seed " + seed, 2, {"seed", seed});
   expect_refused("render", 2, {"scene"});
@@ -150,6 +151,22 @@ TEST_F(CommandLine, ARayThatMissesDiffersInNothing) {
 TEST_F(CommandLine, ACoreWithoutWaveformsIsNamedBeforeTheFrame) {
   for (const std::string& command : {"render scenes/cube.json --check -o " + path("a.png"), std::string("ray scenes/cube.json 1 1 --size 8x8")})
     expect_refused(command + " --trace " + path("a.fst"), 2, {"without waveforms", "make build/cores/l3c32t3p2m128w.so"});
+}
+
+// A mesh alone leaves much to defaults: they are not printed before a refusal.
+TEST_F(CommandLine, ACoreThatWasNotBuiltIsOneLine) {
+  const std::string rays = file("rays.csv", "ox,oy,oz,dx,dy,dz\n0,0,5,0,0,-1\n"), five = " --lanes 5 --contexts 7";
+  const std::string words = "make build/cores/l5c7t3p2m128.so";
+  expect_refused("render scenes/cube.geo -o " + path("a.png") + " --save-scene " + path("a.json") + five, 2, {words});
+  expect_refused("ray scenes/cube.geo 1 1" + five, 2, {words});
+  expect_refused("query scenes/cube.geo " + rays + five, 2, {words});
+}
+
+TEST_F(CommandLine, APictureThatIsCutOffIsOneLine) {
+  ASSERT_EQ(run("render scenes/spheres.json --engine model --size 24x16 -o " + path("a.png")).code, 0);
+  const std::string bytes = read(path("a.png"));
+  for (const std::size_t size : {bytes.size() / 2, std::size_t{20}, std::size_t{0}})
+    expect_refused("compare " + path("a.png") + " " + file("b.png", bytes.substr(0, size)), 2, {"b.png"});
 }
 
 TEST_F(CommandLine, TracesAWindow) {

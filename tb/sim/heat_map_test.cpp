@@ -49,6 +49,17 @@ TEST_F(HeatMap, SmallFramesAreEnlargedByAWholeFactor) {
     for (int x : {0, 106, 107, 213, 214, 320}) EXPECT_EQ(brightness(picture, x, y) > 300, (x / 107 + y / 107) % 2 == 1) << x << ", " << y;
 }
 
+// One column of many rows is not enlarged until it is as wide as its scale.
+TEST_F(HeatMap, TallFramesStaySmall) {
+  std::vector<std::uint32_t> values(4096, 0);
+  values[4000] = 9;
+  const sim::Picture picture = map(1, 4096, values);
+  EXPECT_EQ(picture.width, 320);
+  EXPECT_LT(picture.height, 4096 + 64);
+  EXPECT_GT(brightness(picture, 159, 4000), 400) << "in the middle of the sheet";
+  EXPECT_LT(brightness(picture, 159, 3999), 10);
+}
+
 // The bar of the scale goes from none to most, and letters stand below it.
 TEST_F(HeatMap, HasItsScaleBelow) {
   const sim::Picture picture = map(320, 10, std::vector<std::uint32_t>(3200, 0));

@@ -23,6 +23,36 @@ TEST_F(CommandLine, UnwritableOutputs) {
   }
 }
 
+// What OpenImageIO calls a format, but which holds no picture of three channels, not one of this size, or is no file.
+TEST_F(CommandLine, FormatsThatHoldNoSuchPicture) {
+  for (const std::string suffix : {"null", "zfile", "term", "ico"}) {
+    const std::string name = path("a." + suffix);
+    expect_refused("render scenes/cube.geo --size 300x20 --engine model -o " + name, 6, {name});
+    expect_refused("render scenes/cube.geo --size 300x20 --engine model -o " + path("a.png") + " --tests-map " + name, 6, {name});
+  }
+  expect_refused("render scenes/cube.geo --size 8x8 --engine model -o " + path("a.png") + " --nodes-map " + path("a.ico"), 6, {"a.ico", "320 x 361"});
+  for (const std::string suffix : {"ppm", "jpg", "tif", "bmp", "exr"})
+    EXPECT_EQ(run("render scenes/cube.json --size 8x8 --engine model -o " + path("a." + suffix)).code, 0) << suffix;
+}
+
+TEST_F(CommandLine, EmptyNamesOfOutputs) {
+  const std::string good = " scenes/cube.geo --size 8x8 --engine model";
+  for (const std::string option : {"--output", "-o", "--aov", "--json", "--frame", "--hits", "--nodes-map", "--tests-map", "--save-scene", "--trace"})
+    expect_refused("render" + good + " " + option + " ''", 2, {"name is empty"});
+  const std::string rays = file("rays.csv", "ox,oy,oz,dx,dy,dz\n0,0,5,0,0,-1\n");
+  for (const std::string option : {"--output", "--json", "--trace"}) expect_refused("query" + good + " " + rays + " " + option + " ''", 2, {"name is empty"});
+  expect_refused("ray scenes/cube.geo 1 1 --trace ''", 2, {"name is empty"});
+  expect_refused("compile scenes/cube.geo --output ''", 2, {"name is empty"});
+}
+
+TEST_F(CommandLine, ANameAsLongAsANameMayBe) {
+  const std::string name = std::string(251, 'n') + ".png";
+  EXPECT_EQ(run("render scenes/cube.json --size 8x8 --engine model -o " + path(name) + " --json " + path(std::string(255, 'j'))).code, 0);
+  EXPECT_TRUE(fs::exists(path(name)));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
+  expect_refused("render scenes/cube.json --size 8x8 --engine model -o " + path("n" + name), 6, {"too long"});
+}
+
 TEST_F(CommandLine, OutputsThatAreOneFile) {
   const std::string good = "render scenes/cube.json --engine model -o " + path("out.png");
   expect_refused(good + " --json " + path("out.png"), 2, {"--json", "--output"});

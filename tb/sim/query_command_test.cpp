@@ -216,6 +216,18 @@ TEST_F(QueryCommand, BadRecords) {
   EXPECT_NE(outcome.out.find("rays 2, hits 0"), std::string::npos) << outcome.out;
 }
 
+// More than the rays of a list could take is not read: of a file with a hole, and of a device without end.
+TEST_F(QueryCommand, MoreThanAListIsNotRead) {
+  const std::string records = std::to_string(std::uint64_t{MaxRays} * RayBytes);
+  file("hole", "");
+  fs::resize_file(path("hole"), std::uint64_t{5} << 30);
+  expect_refused(kCube + path("hole") + " --engine model", 2, {"hole", "more than 4294967296 bytes"});
+  expect_refused(kCube + path("hole") + " --raw --engine model", 2, {"hole", "more than " + records + " bytes"});
+  const Outcome outcome = with_input("/dev/zero", kCube + "- --raw --engine model");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err, "castray: standard input: read: more than " + records + " bytes, the most that are read\n");
+}
+
 TEST_F(QueryCommand, BadOptions) {
   const std::string rays = file("rays.csv", kColumns + "0,0,5,0,0,-1\n");
   expect_refused(kCube + rays + " --engine gpu", 2, {"engine", "gpu"});

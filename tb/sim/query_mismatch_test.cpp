@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A core that errs in a list of rays: castray query --check names the ray, its line, both records and the
 // command that replays it; errors and broken rules of the bus end with their exit codes.
+// Cores: l1c32t3p1m0 l3c32t3p2m128
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments.hpp"
@@ -50,7 +51,7 @@ TEST_F(QueryMismatch, NamesTheRayAndBothRecords) {
 }
 
 TEST_F(QueryMismatch, TheReplayShowsTheSameRay) {
-  const Outcome all = query(ask_ + "--lanes 1 --seed 5", other_primitive(2));
+  const Outcome all = query(ask_ + "--lanes 1 --ports 1 --l2 0 --seed 5", other_primitive(2));
   const std::size_t at = all.out.find("castray query ") + 14;
   const std::string replay = all.out.substr(at, all.out.find('\n', at) - at);
   EXPECT_NE(replay.find("--lanes 1"), std::string::npos);

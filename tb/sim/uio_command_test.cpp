@@ -72,6 +72,14 @@ TEST_F(UioCommand, RendersWhatTheModelDoes) {
   EXPECT_EQ(read(path("a.hits")), read(path("b.hits")));
 }
 
+TEST_F(UioCommand, SaysWhatWasChosen) {
+  for (const std::string& command : {"render scenes/cube.geo --size 32x24 -o " + path("a.png"), std::string("query scenes/teapot.geo scenes/rays.csv")}) {
+    const Outcome outcome = on_core(command);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(says(outcome.err, {"default: camera eye", "default: background"}));
+  }
+}
+
 TEST_F(UioCommand, AnswersWhatTheModelDoes) {
   const std::string query = "query scenes/teapot.json scenes/rays.csv";
   const Outcome outcome = on_core(query + " --check");
@@ -88,6 +96,9 @@ TEST_F(UioCommand, ADifferenceIsOne) {
 TEST_F(UioCommand, WithoutABoardOneLine) {
   expect_one_line(run(render_ + " --engine uio"), 4, {"castray: no board", "docs/uio.md"});
   expect_one_line(run("query scenes/teapot.json scenes/rays.csv --engine uio"), 4, {"castray: no board", "docs/uio.md"});
+  // A mesh alone leaves much to defaults: they are printed where the board is there.
+  expect_one_line(run("render scenes/cube.geo -o " + path("a.png") + " --engine uio"), 4, {"castray: no board"});
+  expect_one_line(run("query scenes/teapot.geo scenes/rays.csv --engine uio"), 4, {"castray: no board"});
 }
 
 TEST_F(UioCommand, AnotherCoreOneLine) {
@@ -117,6 +128,7 @@ TEST_F(UioCommand, AHangIsGivenUp) {
 TEST_F(UioCommand, AFrameThatDoesNotFitIsRefused) {
   expect_one_line(on_core("render scenes/cube.json --size 640x480 -o " + path("a.png")), 4,
                   {"udmabuf0", "make the buffer larger"});
+  expect_one_line(on_core("render scenes/cube.geo --size 640x480 -o " + path("a.png")), 4, {"udmabuf0"});
   EXPECT_EQ(core_->starts, 0u);
 }
 
