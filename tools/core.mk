@@ -86,7 +86,7 @@ $(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test
 	@echo "  TEST  $*"
 	@$(CXX) $(call test_flags,$*) -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
 # A test that runs the core says on which variants: "// Cores: l1c32t3p1m0 l3c32t3p2m128".
-$(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(shell sed -n 's,^// Cores: ,,p' $(t)))))
+$(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(call said,Cores,$(t)))))
 
 .PHONY: cores
 cores: $(call cores_files,$(CORES_TEST)) ## build the Verilated cores that the tests use

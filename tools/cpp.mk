@@ -30,14 +30,19 @@ TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
 # frames: tools/core.mk.
 TESTS       := $(shell find tb -name '*_test.cpp' | sort)
 UNIT_TESTS  := $(foreach t,$(TESTS),$(if $(wildcard $(t:tb/%_test.cpp=rtl/%.sv) $(t:%_test.cpp=%_tb.sv)),$(t)))
-MORE_TESTS  := $(shell grep -rl --include='*_test.cpp' '^// Unit: ' tb)
+# What tests say in comment lines "// Word: text", read once: file:Word:text, with "|" for each space of the text.
+SAID        := $(shell sed -nE '/^\/\/ (Verilator|Unit|Cores|Long): /{s,^// ([A-Za-z]+): ,\1:,;s/ /|/g;F;p}; /^\/\/ (Links the library|Runs long)\.$$/{s/.*Links.*/Links:/;s/.*Runs.*/Runs:/;F;p}' $(TESTS) | paste -d: - -)
+# said(Word,test): the text; saying(Word): the tests with such a line.
+said         = $(subst |, ,$(patsubst $(2):$(1):%,%,$(filter $(2):$(1):%,$(SAID))))
+saying       = $(filter $(TESTS),$(subst :, ,$(filter $(addsuffix :$(1):%,$(TESTS)),$(SAID))))
+MORE_TESTS  := $(call saying,Unit)
 SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
 MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(MORE_TESTS) $(SIM_TESTS),$(TESTS))
 
 # A test takes longer to compile than to run, so it is compiled without optimisation, unless it says
 # "// Runs long." What most of them include is compiled once, for each of the two: it halves the time of a small test.
 # It names files by their whole paths, so it is of no use in another tree, where a cache of compilations would offer it.
-LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(shell grep -lE '^// (Runs long\.|Long: )' $(TESTS)))
+LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(call saying,Runs) $(call saying,Long))
 PCH_FLAGS    = -fpch-instantiate-templates -Xclang -fno-pch-timestamp $(VERILATED_INC)
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 TEST_PCHS   := $(BUILD)/gen/test-O0.pch $(BUILD)/gen/test-O2.pch
@@ -53,7 +58,7 @@ test_flags   = $(CXXFLAGS) $(call test_opt,$(1)) -include-pch $(call test_pch,$(
 define unit_model
 $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES)
 	@echo "  VERILATE $(1)"
-	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(shell sed -n 's,^// Verilator: ,,p' tb/$(1)_test.cpp),-O2)
+	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(call said,Verilator,tb/$(1)_test.cpp),-O2)
 -include $(BUILD)/unit/$(1)/V$(notdir $(1))__ver.d
 endef
 # unit_test(test,unit): the program of a test, linked to the unit's model.
@@ -63,8 +68,8 @@ $(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2))__AL
 	@$(CXX) $(call test_flags,$(1)) -I$(BUILD)/unit/$(2) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
 endef
 $(foreach u,$(UNIT_TESTS:tb/%_test.cpp=%),$(eval $(call unit_model,$(u)))$(eval $(call unit_test,$(u),$(u))))
-$(foreach t,$(MORE_TESTS:tb/%_test.cpp=%),$(eval $(call unit_test,$(t),$(shell sed -n 's,^// Unit: ,,p' tb/$(t)_test.cpp))))
-$(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(shell grep -l '^// Links the library.' $(UNIT_TESTS) $(MORE_TESTS))): $(LIB)
+$(foreach t,$(MORE_TESTS:tb/%_test.cpp=%),$(eval $(call unit_test,$(t),$(call said,Unit,tb/$(t)_test.cpp))))
+$(patsubst tb/%_test.cpp,$(BUILD)/unit/%_test,$(filter $(UNIT_TESTS) $(MORE_TESTS),$(call saying,Links))): $(LIB)
 
 LIB_TESTS := $(filter $(addprefix tb/,$(addsuffix /%,docs scene reference)),$(MODEL_TESTS))
 $(LIB_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(LIB)

@@ -12,7 +12,7 @@ NETLIST_FLAGS := -fno-const-bit-op-tree -Wno-lint -Wno-style -Wno-UNOPTFLAT -Wno
 define netlist_model
 $(BUILD)/netlist/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(RTL) $(CELL_MODELS) tools/waivers.vlt $(call venv,yosys)
 	@echo "  NETLIST $(1)"
-	@python3 tools/synth/netlist.py $(1) $(patsubst -G%,%,$(filter -G%,$(shell sed -n 's,^// Verilator: ,,p' tb/$(1)_test.cpp))) -o $(BUILD)/netlist/$(1).v
+	@python3 tools/synth/netlist.py $(1) $(patsubst -G%,%,$(filter -G%,$(call said,Verilator,tb/$(1)_test.cpp))) -o $(BUILD)/netlist/$(1).v
 	@mkdir -p $$(@D)
 	@$(VERILATOR) --cc $(NETLIST_FLAGS) --prefix V$(notdir $(1)) --Mdir $$(@D) --top-module $(notdir $(1))$(if $(wildcard tb/$(1)_tb.sv),_tb) \
 	  $(CELL_MODELS) $$(CELLS_SIM) $(BUILD)/netlist/$(1).v > $$(@D)/verilator.log 2>&1 || { tail -5 $$(@D)/verilator.log; exit 1; }
@@ -23,7 +23,7 @@ define netlist_program
 $(BUILD)/netlist/$(1)_test: tb/$(1)_test.cpp $(BUILD)/netlist/$(2)/V$(notdir $(2))__ALL.a $(VERILATED_OBJ) $(RECORDS)
 	@echo "  TEST  netlist of $(1)"
 	@$(CXX) $(filter-out -MMD -MP,$(CXXFLAGS)) -O1 -Itb/common $(VERILATED_INC) -I$(BUILD)/netlist/$(2) $$(filter %.cpp %__ALL.a %.o,$$^) -o $$@ \
-	  $(if $(shell grep -l '^// Links the library.' tb/$(1)_test.cpp),$(LIB)) $(TEST_LIBS) $(if $(shell grep -l '^// Links the library.' tb/$(1)_test.cpp),$(LIBS))
+	  $(if $(filter tb/$(1)_test.cpp,$(call saying,Links)),$(LIB) $(TEST_LIBS) $(LIBS),$(TEST_LIBS))
 endef
 $(foreach u,$(NETLIST_UNITS),$(eval $(call netlist_model,$(u)))$(eval $(call netlist_program,$(u),$(u))))
 

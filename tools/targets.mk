@@ -49,7 +49,7 @@ long: ## the tests that have a long form, with it: docs/long.md (some 30 minutes
 	@tools/setup.sh
 	@$(MAKE) --no-print-directory long-run
 
-LONG_TESTS := $(shell grep -l '^// Long: ' $(TESTS))
+LONG_TESTS := $(call saying,Long)
 long-run: $(LONG_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)
 	@python3 tools/long_runs.py -j $(JOBS) --page docs/long.md $(LONG_TESTS)
 
