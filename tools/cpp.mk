@@ -58,7 +58,7 @@ test_flags   = $(CXXFLAGS) $(call test_opt,$(1)) -include-pch $(call test_pch,$(
 define unit_model
 $(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES)
 	@echo "  VERILATE $(1)"
-	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(call said,Verilator,tb/$(1)_test.cpp),-O2)
+	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(call said,Verilator,tb/$(1)_test.cpp),-O1)
 -include $(BUILD)/unit/$(1)/V$(notdir $(1))__ver.d
 endef
 # unit_test(test,unit): the program of a test, linked to the unit's model.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // The attribute cache: right data in order whatever is in flight, and hits and misses as a plain
 // cache would count them.
 #include "mem/attr_tags.hpp"

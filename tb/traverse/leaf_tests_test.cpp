@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Runs long.
 // From leaves to tests and back: each context's tests in the model's order, and its leaf over after the last.
 // Verilator: -GContexts=6
 #include "traverse/leaf_tests.hpp"
