@@ -13,7 +13,8 @@ MAKEFLAGS += -j$(JOBS)
 endif
 
 CXX      := clang++
-CXXFLAGS := -std=c++20 -O3 -march=native -Wall -Wextra -Wno-unused-parameter -MMD -MP \
+OPT      := -O3
+CXXFLAGS := -std=c++20 $(OPT) -march=native -Wall -Wextra -Wno-unused-parameter -MMD -MP \
             -Icpp_model -Isim -I$(BUILD)/gen -isystem /usr/include/Imath
 
 include tools/venv.mk

@@ -19,8 +19,9 @@ $(BUILD)/obj/verilated/%.o: $(VERILATOR_ROOT)/include/%.cpp
 	@$(CXX) -std=c++20 -O2 -I$(VERILATOR_ROOT)/include -I$(VERILATOR_ROOT)/include/vltstd -DVM_TRACE=0 -c $< -o $@
 VERILATED_OBJ := $(BUILD)/obj/verilated/verilated.o $(BUILD)/obj/verilated/verilated_threads.o
 
+# gold links a test in a fifth of the time of the default linker; both are of binutils.
 LIBS      := -lembree3 -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -latomic -lpthread
-TEST_LIBS := -lgtest_main -lgtest -latomic -lpthread
+TEST_LIBS := -fuse-ld=gold -lgtest_main -lgtest -latomic -lpthread
 
 # tb/<folder>/<unit>_test.cpp: with a unit of that name (or a wrapper) it is linked to its Verilated
 # model; a comment line "// Verilator: <flags>" in the test adds flags. One that says "// Unit: <folder>/<unit>"

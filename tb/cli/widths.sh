@@ -19,7 +19,7 @@ runtime=build/obj/verilated/verilated.o\ build/obj/verilated/verilated_threads.o
 for object in $runtime; do [[ -e $object ]] || make -s $object; done
 at() { # folder, goals in it: made there
   local folder=build/width/$1
-  make -s VERILATED_OBJ="$runtime" BUILD="$folder" CONFIG="$folder/castray_cfg_pkg.sv" "${@:2}"
+  make -s OPT=-O1 VERILATED_OBJ="$runtime" BUILD="$folder" CONFIG="$folder/castray_cfg_pkg.sv" "${@:2}"
 }
 build() { at "$1" "${library[@]}" $(printf "build/width/$1/unit/%s_test " "${@:2}"); }   # folder, units
 passes() { # folder, units: their tests pass; cycles are counted at the usual widths

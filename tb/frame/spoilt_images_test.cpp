@@ -47,7 +47,7 @@ const sim::Rendering& good(unsigned which, unsigned mode) {
 }
 
 TEST(SpoiltImages, EndEveryJobOfTheCoreAndTheNextOneIsGood) {
-  const unsigned count = images_to_spoil(240);
+  const unsigned count = images_to_spoil(120);
   std::vector<std::unique_ptr<Core>> cores;
   for (const char* stalls : {"none", "uniform", "bursty"}) cores.push_back(std::make_unique<Core>(core_of(1, stalls, 21)));
   SpoiltCounts counts;

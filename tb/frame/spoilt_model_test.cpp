@@ -41,7 +41,7 @@ error_t expect_an_end(const job_t& job, const Windows& windows, unsigned& severa
 }
 
 TEST(SpoiltImages, EndEveryListOfTheModelInsideItsWindows) {
-  const unsigned count = images_to_spoil(900);
+  const unsigned count = images_to_spoil(450);
   SpoiltCounts counts;
   unsigned several = 0;
   for (unsigned seed = 0; seed < count && !testing::Test::HasFailure(); ++seed) {
@@ -65,7 +65,7 @@ TEST(SpoiltImages, EndEveryListOfTheModelInsideItsWindows) {
 }
 
 TEST(SpoiltImages, EndEveryJobOfTheModelInsideItsWindows) {
-  const unsigned count = images_to_spoil(900);
+  const unsigned count = images_to_spoil(450);
   SpoiltCounts counts;
   unsigned several = 0;
   for (unsigned seed = 0; seed < count && !testing::Test::HasFailure(); ++seed) {
