@@ -275,7 +275,7 @@ module castray_core
     .line_o(cache_req[0:2*Lanes-1]),
     .fill_valid_i(fill_valid[2*Lanes-1:0]), .fill_ready_o(fill_ready[2*Lanes-1:0]), .fill_i(fill),
     .events_o(lane_events), .ray_o(ray_event), .hit_o(hit_event),
-    .starved_o(starved), .hit_wait_o(hit_wait), .hit_busy_o(hit_busy),
+    .lane_starved_o(starved), .hit_wait_o(hit_wait), .hit_busy_o(hit_busy),
     .batch_o(batch_event), .test_stall_o(test_stall), .fetch_stall_o(fetch_stall)
   );
   assign fault = (list_fault != ErrNone) ? list_fault : (source_fault != ErrNone) ? source_fault : lane_fault;

@@ -17,7 +17,7 @@ std::string tree_row(const Json& r) {
 
 // There is one for the default core and the memory `reference`.
 std::uint64_t bar_of(const Json& r) {
-  if (r["part"] != "tree" || r["lanes"] != 3 || r["ports"] != 2 || r["l2_kbytes"] != 128 || r["memory"] != "reference" ||
+  if (r["part"] != "tree" || r["lanes"] != DefaultLanes || r["ports"] != DefaultPorts || r["l2_kbytes"] != DefaultL2Kbytes || r["memory"] != "reference" ||
       r["contexts"] != DefaultContexts || r["width"] != 320)
     return 0;
   const std::string name = text(r, "scene") + " " + text(r, "view") + " " + text(r, "mode");
@@ -90,10 +90,7 @@ std::string tree_tiles(const std::vector<Json>& records) {
                   r["empty_tiles"].get<unsigned long>(), r["nodes_per_ray"].get<double>(), r["tests_per_ray"].get<double>(),
                   percent(r["utilisation"]["tile_start"]).c_str(), percent(r["utilisation"]["node_pipe"]).c_str(),
                   r["read_beats"].get<unsigned long>(), r["write_beats"].get<unsigned long>(), differ(r).c_str());
-  return out +
-         "\nTiles of 8x8 in rows are best. Of 4x4 there are four times as many starts, one after the other, and the lanes wait for them. Of 16x16 the\n"
-         "bounds on the rays are wide: a start finds less that all of its rays miss, and each ray visits more nodes itself. The Z walk reads a little\n"
-         "less and is no faster.\n";
+  return out;
 }
 
 std::string tree_stalls(const std::vector<Json>& records) {

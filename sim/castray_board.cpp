@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 
+#include "cli/exit_code.hpp"
 #include "driver.hpp"
 #include "model_device.hpp"
 #include "scene/files.hpp"
@@ -141,7 +142,7 @@ error_t run(const Arguments& args) {
   return ErrNone;
 }
 
-int complain(int code, const char* what) {
+int complain(cli::ExitCode code, const char* what) {
   std::fprintf(stderr, "castray_board: %s\n", what);
   return code;
 }
@@ -151,20 +152,20 @@ int program(int argc, char** argv) {
   if (argc == 2 && std::strcmp(argv[1], "--help") == 0) return std::printf("%s", kUsage), 0;
   try {
     const error_t error = run(Arguments(argc, argv));
-    if (error == ErrNone && (std::fflush(stdout) != 0 || std::ferror(stdout))) return complain(6, "standard output cannot be written");
-    return error == ErrNone ? 0 : complain(3, (std::string("the core stopped: ") + meaning(error)).c_str());
+    if (error == ErrNone && (std::fflush(stdout) != 0 || std::ferror(stdout))) return complain(cli::kBadOutput, "standard output cannot be written");
+    return error == ErrNone ? 0 : complain(cli::kDeviceError, (std::string("the core stopped: ") + meaning(error)).c_str());
   } catch (const UsageError& e) {
-    return complain(2, e.what());
+    return complain(cli::kBadInput, e.what());
   } catch (const OutputError& e) {
-    return complain(6, e.what());
+    return complain(cli::kBadOutput, e.what());
   } catch (const SceneError& e) {
-    return complain(2, e.what());
+    return complain(cli::kBadInput, e.what());
   } catch (const std::invalid_argument& e) {
-    return complain(2, e.what());
+    return complain(cli::kBadInput, e.what());
   } catch (const DeviceError& e) {
-    return complain(4, e.what());
+    return complain(cli::kHang, e.what());
   } catch (const std::exception& e) {
-    return complain(7, e.what());
+    return complain(cli::kInternal, e.what());
   }
 }
 

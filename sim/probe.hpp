@@ -13,7 +13,8 @@ namespace castray::sim {
 
 class Probe {
  public:
-  // Of this pixel, in a job whose window is one tile, whose rays start together, or this pixel alone.
+  // Of pixel (x, y). in_tile: the job's window is the pixel's tile, the directions of whose corners come first; else it is this pixel
+  // alone.
   Probe(int x, int y, bool in_tile) : x_(x), y_(y), corners_(in_tile ? 4 : 0) {}
 
   std::vector<tile_bounds_t> bounds;   // of the tile

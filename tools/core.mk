@@ -54,9 +54,18 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 SIM_PROGRAMS := castray castray_board make_scene bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp sim/uio/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
-# The command line and the bench's tables run once: their templates are not worth the compiler's effort.
-$(BUILD)/obj/sim/cli/%.o $(BUILD)/obj/sim/bench%.o: CXXFLAGS += -O0
+# The command line and the bench run once; what they time is in the library. Not -O0: the linker may take an inline function
+# from any object.
+$(BUILD)/obj/sim/cli/%.o $(BUILD)/obj/sim/bench%.o: CXXFLAGS += -O1
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
+CLI_PCH      := $(BUILD)/gen/cli.pch
+CLI_PCHED     = -fpch-instantiate-templates -Xclang -fno-pch-timestamp
+$(CLI_PCH): sim/cli/precompiled.hpp
+	@mkdir -p $(@D)
+	@CCACHE_DISABLE=1 $(CXX) $(CXXFLAGS) -O1 -fPIC $(CLI_PCHED) -x c++-header $< -o $@
+$(CLI_OBJECTS): $(CLI_PCH)
+$(CLI_OBJECTS): private CXXFLAGS += -include-pch $(CLI_PCH) $(CLI_PCHED)
+-include $(CLI_PCH:.pch=.d)
 SIM_LIBS     := $(LIBS) -ldl -rdynamic
 
 # The commit that a picture's metadata names; written anew only when it changed.

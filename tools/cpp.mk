@@ -19,7 +19,7 @@ $(BUILD)/obj/verilated/%.o: $(VERILATOR_ROOT)/include/%.cpp
 	@$(CXX) -std=c++20 -O2 -I$(VERILATOR_ROOT)/include -I$(VERILATOR_ROOT)/include/vltstd -DVM_TRACE=0 -c $< -o $@
 VERILATED_OBJ := $(BUILD)/obj/verilated/verilated.o $(BUILD)/obj/verilated/verilated_threads.o
 
-# gold links a test in a fifth of the time of the default linker; both are of binutils.
+# gold links faster than the default linker; both are of binutils.
 LIBS      := -lembree3 -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -latomic -lpthread
 TEST_LIBS := -fuse-ld=gold -lgtest_main -lgtest -latomic -lpthread
 
@@ -41,7 +41,7 @@ SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
 MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(MORE_TESTS) $(SIM_TESTS),$(TESTS))
 
 # A test takes longer to compile than to run, so it is compiled without optimisation, unless it says
-# "// Runs long." What most of them include is compiled once, for each of the two: it halves the time of a small test.
+# "// Runs long." or has a long form, "// Long: ...". What most of them include is compiled once, for each of the two: it halves the time of a small test.
 # It names files by their whole paths, so it is of no use in another tree, where a cache of compilations would offer it.
 LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(call saying,Runs) $(call saying,Long))
 PCH_FLAGS    = -fpch-instantiate-templates -Xclang -fno-pch-timestamp $(VERILATED_INC)

@@ -6,7 +6,8 @@
 
 namespace castray {
 
-// Throws SceneError. What does not look like glTF 2 is left to assimp to refuse.
+// Throws SceneError when a length of a .glb goes beyond the file, a node has two parents, or brackets or nodes are nested too
+// deep. What does not look like glTF 2 is left to assimp to refuse.
 void check_gltf(const std::string& bytes, const std::string& file);
 
 }  // namespace castray

@@ -10,8 +10,8 @@
 // point_o: the three sheared corners coincide.
 // One triangle a cycle, four cycles, never stalls; en_i[k]: stage k + 1 takes an item.
 // A sphere uses the same multipliers and adders. Its sheared centre X, Y is in A's place and, for sphere_i
-// (it belongs to s1), in B's as (Y, X); the shear Sx, Sy is in C's. sums_i, of s4: then U and W are
-// sums, so that they are X Sx + Y Sy and X^2 + Y^2, and V is X Sy - Y Sx; of v_d_o a cycle earlier.
+// (it belongs to s1), in B's as (Y, X); the shear Sx, Sy is in C's. sums_i belongs to s4: with
+// it U and W are sums, X Sx + Y Sy and X^2 + Y^2, and V is X Sy - Y Sx. v_d_o is v_o a cycle earlier.
 // Model: cpp_model/isect/edge_fns.hpp, equal bit for bit.
 module edge_fns
   import castray_cfg_pkg::*, castray_pkg::*;

@@ -83,7 +83,7 @@ module hit_unit
   logic               sphere3;
   place_t             sphere_place;
 
-  // Of coordinates turned back. Both corners lie on the grid: it fits.
+  // The difference b - a of two corners' coordinates that come turned back. Both lie on the grid: it fits.
   function automatic delta_t minus(towards_t a, delta_t b);
     return b - delta_t'(a);
   endfunction

@@ -97,7 +97,7 @@ module ray_prim
   typedef struct packed {
     ctx_t   ctx;
     prim_t  number;
-    delta_t az, bz, cz;   // of a triangle; of a sphere cz is its centre's
+    delta_t az, bz, cz;   // turned back: of a triangle's corners; of a sphere cz is its centre's
   } kept_t;
 
   place_t place_q;

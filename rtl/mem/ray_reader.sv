@@ -8,7 +8,7 @@
 // base_i is aligned to 64 bytes. base_i and count_i stand still until done.
 // done_o: a level, from the cycle after the last request was taken until the next start. A start is
 // allowed before the first and after each done.
-// One ray every four cycles while the memory keeps up; 8 bursts under way cover 128 cycles of latency.
+// One ray every four cycles while the memory keeps up; a burst under way covers 16 cycles of latency.
 // Model: cpp_model/mem/ray_request.hpp, for each record.
 module ray_reader
   import castray_cfg_pkg::*;

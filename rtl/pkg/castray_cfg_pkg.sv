@@ -87,7 +87,7 @@ package castray_cfg_pkg;
   localparam int unsigned DefaultL2Kbytes    = 128;  // of the cache that all lanes share; 0: none
   localparam int unsigned DefaultAttrEntries = 128;  // places of the attribute cache
 
-  // ---- The sizes of its caches that are no parameters of it ----
+  // ---- Sizes in the core that are no parameters of it ----
   localparam int unsigned DefaultCacheLines  = 512;  // of nodes in each lane, and of leaves
   localparam int unsigned DefaultStartLines  = 128;  // of nodes to start tiles
   localparam int unsigned DefaultCacheWays   = 2;
@@ -112,7 +112,7 @@ package castray_cfg_pkg;
            + DealTiles + WriteTiles;
   endfunction
 
-  // Nodes of their frontiers that a lane keeps: two for each slot.
+  // Nodes of tiles' frontiers that a lane keeps: two for each slot, rounded up to a power of two.
   function automatic int unsigned tile_nodes(int unsigned slots);
     return 2 << $clog2(slots);
   endfunction

@@ -73,7 +73,7 @@ module traversal
   output lane_events_t        events_o [Lanes],   // counter events
   output logic [Lanes-1:0]    ray_o,
   output logic [Lanes-1:0]    hit_o,
-  output logic [Lanes-1:0]    starved_o,      // a lane has room for a ray, and none is there
+  output logic [Lanes-1:0]    lane_starved_o,      // a lane has room for a ray, and none is there
   output logic [Lanes-1:0]    hit_wait_o,
   output logic                hit_busy_o,     // a test is at the hit unit
   output logic                batch_o,
@@ -203,7 +203,7 @@ module traversal
   assign ray_o      = ray_valid & ray_ready;
   assign hit_o      = found & hit_valid & hit_ready;
   assign hit_wait_o = hit_valid & ~hit_ready;
-  assign starved_o  = (rst_ni && !exhausted_i && (fill || !brute_i)) ? ~full & ~ray_valid : '0;
+  assign lane_starved_o = (rst_ni && !exhausted_i && (fill || !brute_i)) ? ~full & ~ray_valid : '0;
   assign none_queued = ray_valid == '0;
   assign idle_o      = brute_i ? brute_idle : (exhausted_i && &lane_empty && none_queued);
 

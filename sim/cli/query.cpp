@@ -169,7 +169,7 @@ class Query {
     ProgressBar bar("tracing");
     const BoardFacts facts = run_on_board(
         context_, args_.board, image_, [&](sim::Driver& driver) { answers = driver.query(asked(), options(), progress(bar)); });
-    print_notes();  // no longer refused by the board
+    print_notes();  // behind the board's answer: a refusal is one line
     report_.update(report_of(answers.counters));
     report_["device"] = facts.device;
     report_["seconds"] = facts.seconds;

@@ -173,7 +173,7 @@ class Render {
     const BoardFacts facts = run_on_board(context_, args_.board, image_, [&](sim::Driver& driver) {
       rendering = driver.render(options(wants_hits()), progress(bar));
     });
-    print_notes();  // no longer refused by the board
+    print_notes();  // behind the board's answer: a refusal is one line
     report_.update(report_of(rendering.counters));
     report_["device"] = facts.device;
     report_["seconds"] = facts.seconds;

@@ -57,6 +57,7 @@ class Sites(unittest.TestCase):
         self.assertEqual(len({i for pair in pairs for i in pair}), 2 * len(pairs))
         self.assertTrue(all(len(free[a] | free[b]) <= 5 for a, b in pairs))
         self.assertEqual(pairs, sites.pairs(free))
+        self.assertGreater(len(pairs), 500)
 
 
 class Budgets(unittest.TestCase):
@@ -73,6 +74,10 @@ class Budgets(unittest.TestCase):
 
     def test_a_unit_without_budget_and_a_budget_without_unit(self):
         self.assertEqual(len(synth.over({"new": self.budget}, {"old": self.budget})), 2)
+
+    def test_a_resource_without_budget(self):
+        (line,) = synth.over({"u": self.budget}, {"u": {k: v for k, v in self.budget.items() if k != "lut_cells"}})
+        self.assertIn("lut_cells", line)
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ SEEDS = (1, 2, 3)
 NEAR = 0.85
 BAR = {False: 100, True: 80}   # MHz, without and with wide products
 PRODUCT = 18                   # operand bits of a multiplier of the device
-SMALL = 8                      # bits of a product that is made of LUTs, as synth_xilinx does
+SMALL_PRODUCT = 8                      # bits of a product that is made of LUTs, as synth_xilinx does
 
 # Wide products are counted before they are cut into those that the device has.
 FLOW = f"""synth_ecp5 -top {wrapper.TOP} -run begin:coarse
@@ -50,17 +50,17 @@ flatten
 opt_clean
 write_json NAME.json
 """
-LARGE = 60000   # lines of a module's text, all below it counted
+MOST_LINES = 60000   # lines of a module's text, all below it counted
 # What is done to some modules before: products made of LUTs; a memory of which no place is read in the cycle in which it is
 # written, as the header of line_cache says, for the device has no other with two ports that both write or read.
-IN_LUTS = "proc M\nopt_expr M\nopt_clean M\nwreduce M\nopt_clean M\nbooth M\ntechmap M/t:$mul\n"
+TO_LUTS = "proc M\nopt_expr M\nopt_clean M\nwreduce M\nopt_clean M\nbooth M\ntechmap M/t:$mul\n"
 NO_COLLISIONS = "setattr -set no_rw_check 1 M/m:data_q\n"
 
 
 def has_small_only(module):
-    """Whether it has products, and none of more bits than SMALL."""
+    """Whether it has products, and none of more bits than SMALL_PRODUCT."""
     widths = [int(w) for w in re.findall(r"  cell \$mul (?:.*\n)*?.*\\Y_WIDTH (\d+)", "".join(module.lines))]
-    return bool(widths) and max(widths) <= SMALL
+    return bool(widths) and max(widths) <= SMALL_PRODUCT
 
 
 def script(design, name, luts):
@@ -70,9 +70,9 @@ def script(design, name, luts):
         if module.unit == "line_cache":
             before.append(NO_COLLISIONS.replace("M/", f"{module.name}/"))
         if module.unit in luts or has_small_only(module):
-            before.append(IN_LUTS.replace(" M", f" {module.name}"))
+            before.append(TO_LUTS.replace(" M", f" {module.name}"))
     lines = sum(len(design.modules[n].lines) * times for n, times in design.instances(name).items())
-    return (IN_PARTS if lines > LARGE else FLOW).replace("BEFORE", "".join(before))
+    return (IN_PARTS if lines > MOST_LINES else FLOW).replace("BEFORE", "".join(before))
 
 
 def key(design, name, luts=()):

@@ -125,8 +125,7 @@ def check(workers):
     late = [unit for unit, entry in kept.items() if "mhz" in entry]
     jobs = jobs_of(list(kept))
     changed = [unit for unit, design, module in jobs if place.key(design, module, IN_LUTS.get(unit, ())) != kept[unit]["key"]]
-    wrong = [f"{len(late)} units miss their bar, more than {MAY_MISS}"] if len(late) > MAY_MISS else []
-
+    wrong = []
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
         for entry in pool.map(lambda job: record(job, seeds=(kept[job[0]]["seed"],)), [job for job in jobs if job[0] in late]):
             print(f"  pnr: {line(entry)}", flush=True)
@@ -134,10 +133,12 @@ def check(workers):
                 wrong.append(f"{entry['name']}: {entry['mhz']} MHz, it was {kept[entry['name']]['mhz']}")
     for text in wrong:
         print(f"slower: {text}")
+    if len(late) > MAY_MISS:
+        print(f"pnr-check: {len(late)} units miss their bar, more than {MAY_MISS}")
     if changed:
         print(f"pnr-check: changed since they were placed, `make pnr` places them: {' '.join(changed)}")
     print(f"pnr-check: {len(late) - len(wrong)} of {len(late)} units that miss their bar are as fast as they were, {len(kept) - len(late)} units reach it")
-    return not wrong
+    return not wrong and len(late) <= MAY_MISS
 
 
 def main():

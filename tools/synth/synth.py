@@ -96,6 +96,9 @@ def over(now, budgets):
     wrong += [f"{name} has a budget and is no unit" for name in budgets if name not in now]
     for name, counts in now.items():
         for resource, number in counts.items():
+            if resource not in budgets.get(name, counts):
+                wrong.append(f"{name} has no budget of {resource}; `make synth-record` writes it")
+                continue
             factor, more = ROOM[resource]
             most = math.floor(2 * (budgets.get(name, counts)[resource] * factor + more)) / 2
             if number > most:
