@@ -31,7 +31,7 @@ MEMORY = {"SRL16E": 1, "SRLC16E": 1, "SRLC32E": 1,
           "RAM256X1D": 8, "RAM32X1S": 1, "RAM64X1S": 1, "RAM128X1S": 2, "RAM256X1S": 4, "RAM512X1S": 8}
 USES = {"DSP48E2": ("dsp", 1), "RAMB36E2": ("bram36", 1), "RAMB18E2": ("bram36", 0.5),
         **{name: ("ff", 1) for name in ("FDRE", "FDSE", "FDCE", "FDPE")},
-        **{name: None for name in ("CARRY4", "MUXF7", "MUXF8", "MUXF9")}}
+        **{name: None for name in ("CARRY4", "MUXF7", "MUXF8", "MUXF9", "$scopeinfo")}}   # the last: where it stood before it was flat
 # lut: LUTs of the device, memories and shift registers among them; lut_cells: the same with each LUT cell in a LUT of its own.
 RESOURCES = ("dsp", "bram36", "lut", "lut_cells", "ff")
 
