@@ -53,7 +53,8 @@ def resources(point, unit):
     files = [str(package_of(point)) if f == "rtl/pkg/castray_cfg_pkg.sv" else f for f in yosys.rtl_files()]
     design = yosys.elaborate([unit.split("/")[-1]], files=files, name=f"width_{unit.split('/')[-1]}_{point.name}")
     (top,) = design.tops.values()
-    return dict(yosys.synthesise_flat(design, [top], 1)[top])
+    counts = yosys.synthesise_flat(design, [top], 1)[top]
+    return {r: counts[r] for r in yosys.RESOURCES}
 
 
 def study(jobs, wanted=None):
