@@ -89,7 +89,7 @@ def dsps(widths):
     position, shear, quotient, recip = w["CoordW"] + 1, w["ShearFrac"] + 1, w["BaryFrac"] + 2, w["RecipW"] + 1
     return {
         "isect/ray_prim": 6 * dsp(position, shear) + 4 * dsp(position, position) + 4 * dsp(position, max(position, shear)),
-        "isect/hit_unit": dsp(position, quotient),
+        "isect/hit_unit": 2 * dsp(position, quotient),
         "isect/node_pipe": 4 * dsp(position, recip) + 16,
         "camera/ray_setup": 2 * dsp(shear, shear),
     }
