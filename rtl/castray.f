@@ -17,6 +17,7 @@ rtl/prim/stream_fifo.sv
 rtl/prim/stream_fork.sv
 rtl/math/cordic_sqrt.sv
 rtl/math/div_pipe.sv
+rtl/math/reciprocal.sv
 rtl/math/mul27.sv
 rtl/math/mul27_parts.sv
 rtl/math/root_pipe.sv

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kOne = std::int64_t{1} << ShearFrac;  // S = 1, never reached
 constexpr std::int64_t kMantOne = std::int64_t{1} << (RecipW - 1);
-constexpr int kStages = 2 + RecipW + 2;
+constexpr int kStages = 8;
 
 struct Rng : std::mt19937_64 {
   using std::mt19937_64::mt19937_64;

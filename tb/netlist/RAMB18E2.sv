@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The RAMB18E2 in the two ways that synthesis uses it here, both with one clock, read first, without output
-// registers, resets and initial contents:
+// The RAMB18E2 in the three ways that synthesis uses it here, all with one clock, read first, without output
+// registers and resets; only a table has initial contents:
 //   both halves   36 bits: A reads, its data's upper half on B's pins; B writes likewise
+//   a table       the same, and nothing writes
 //   two ports     A writes and B reads, 9 bits or 18 of them
 // Everything else stops: another parameter at elaboration, another mode when it is seen.
 module RAMB18E2 #(
   parameter     WRITE_MODE_A = "NO_CHANGE", WRITE_MODE_B = "NO_CHANGE",
-  parameter int READ_WIDTH_A = 0, READ_WIDTH_B = 0, WRITE_WIDTH_A = 0, WRITE_WIDTH_B = 0, DOA_REG = 1, DOB_REG = 1
+  parameter int READ_WIDTH_A = 0, READ_WIDTH_B = 0, WRITE_WIDTH_A = 0, WRITE_WIDTH_B = 0, DOA_REG = 1, DOB_REG = 1,
+  parameter logic [255:0] INIT_00 = '0, INIT_01 = '0, INIT_02 = '0, INIT_03 = '0, INIT_04 = '0, INIT_05 = '0, INIT_06 = '0, INIT_07 = '0,
+  parameter logic [255:0] INIT_08 = '0, INIT_09 = '0, INIT_0A = '0, INIT_0B = '0, INIT_0C = '0, INIT_0D = '0, INIT_0E = '0, INIT_0F = '0,
+  parameter logic [255:0] INIT_10 = '0, INIT_11 = '0, INIT_12 = '0, INIT_13 = '0, INIT_14 = '0, INIT_15 = '0, INIT_16 = '0, INIT_17 = '0,
+  parameter logic [255:0] INIT_18 = '0, INIT_19 = '0, INIT_1A = '0, INIT_1B = '0, INIT_1C = '0, INIT_1D = '0, INIT_1E = '0, INIT_1F = '0,
+  parameter logic [255:0] INIT_20 = '0, INIT_21 = '0, INIT_22 = '0, INIT_23 = '0, INIT_24 = '0, INIT_25 = '0, INIT_26 = '0, INIT_27 = '0,
+  parameter logic [255:0] INIT_28 = '0, INIT_29 = '0, INIT_2A = '0, INIT_2B = '0, INIT_2C = '0, INIT_2D = '0, INIT_2E = '0, INIT_2F = '0,
+  parameter logic [255:0] INIT_30 = '0, INIT_31 = '0, INIT_32 = '0, INIT_33 = '0, INIT_34 = '0, INIT_35 = '0, INIT_36 = '0, INIT_37 = '0,
+  parameter logic [255:0] INIT_38 = '0, INIT_39 = '0, INIT_3A = '0, INIT_3B = '0, INIT_3C = '0, INIT_3D = '0, INIT_3E = '0, INIT_3F = '0,
+  parameter logic [255:0] INITP_00 = '0, INITP_01 = '0, INITP_02 = '0, INITP_03 = '0, INITP_04 = '0, INITP_05 = '0, INITP_06 = '0, INITP_07 = '0
 ) (
   input  logic        CLKARDCLK,
   input  logic        CLKBWRCLK,
@@ -36,17 +46,18 @@ module RAMB18E2 #(
 );
   localparam int Half  = 2;      // bytes of a port
   localparam bit Both  = READ_WIDTH_A == 18 * Half;
+  localparam bit Table = Both && WRITE_WIDTH_B == 0;
   localparam int Width = Both ? 2 * Half : (READ_WIDTH_B < 9) ? 1 : READ_WIDTH_B / 9;
   if (WRITE_MODE_A != "READ_FIRST" || WRITE_MODE_B != "READ_FIRST" || DOA_REG != 0 || DOB_REG != 0) begin : g_mode
     $error("RAMB18E2: only read-first without output registers is modelled");
   end
-  if (Both ? (WRITE_WIDTH_B != 18 * Half || READ_WIDTH_B != 0 || WRITE_WIDTH_A != 0)
+  if (Both ? (!(WRITE_WIDTH_B inside {0, 18 * Half}) || READ_WIDTH_B != 0 || WRITE_WIDTH_A != 0)
            : (READ_WIDTH_A != 0 || WRITE_WIDTH_B != 0 || WRITE_WIDTH_A != READ_WIDTH_B
               || !(READ_WIDTH_B inside {9, 18}))) begin : g_widths
     $error("RAMB18E2: widths %0d, %0d, %0d, %0d are not modelled", READ_WIDTH_A, READ_WIDTH_B, WRITE_WIDTH_A, WRITE_WIDTH_B);
   end
   always @(posedge CLKARDCLK) begin
-    if (!CLKBWRCLK) $fatal(1, "RAMB18E2: two clocks");
+    if (!CLKBWRCLK && !Table) $fatal(1, "RAMB18E2: two clocks");
   end
   always_comb begin
     if (REGCEAREGCE || REGCEB || !ADDRENA || !ADDRENB || RSTRAMARSTRAM || RSTRAMB || RSTREGARSTREG || RSTREGB || SLEEP)
@@ -56,7 +67,18 @@ module RAMB18E2 #(
   localparam int AddrW = $clog2(2048 / Width);
   logic [Width-1:0] [8:0] read, write;
   logic [Width-1:0]       strobe;
-  block_ram #(.Bytes(2048), .Width(Width)) u_ram (
+  localparam logic [64*256-1:0] Data = {
+    INIT_3F, INIT_3E, INIT_3D, INIT_3C, INIT_3B, INIT_3A, INIT_39, INIT_38,
+    INIT_37, INIT_36, INIT_35, INIT_34, INIT_33, INIT_32, INIT_31, INIT_30,
+    INIT_2F, INIT_2E, INIT_2D, INIT_2C, INIT_2B, INIT_2A, INIT_29, INIT_28,
+    INIT_27, INIT_26, INIT_25, INIT_24, INIT_23, INIT_22, INIT_21, INIT_20,
+    INIT_1F, INIT_1E, INIT_1D, INIT_1C, INIT_1B, INIT_1A, INIT_19, INIT_18,
+    INIT_17, INIT_16, INIT_15, INIT_14, INIT_13, INIT_12, INIT_11, INIT_10,
+    INIT_0F, INIT_0E, INIT_0D, INIT_0C, INIT_0B, INIT_0A, INIT_09, INIT_08,
+    INIT_07, INIT_06, INIT_05, INIT_04, INIT_03, INIT_02, INIT_01, INIT_00
+  };
+  localparam logic [8*256-1:0] Parity = {INITP_07, INITP_06, INITP_05, INITP_04, INITP_03, INITP_02, INITP_01, INITP_00};
+  block_ram #(.Bytes(2048), .Width(Width), .Known(Table), .Data(Data), .Parity(Parity)) u_ram (
     .clk_i(CLKARDCLK),
     .read_i(Both ? ENARDEN : ENBWREN), .read_at_i(Both ? ADDRARDADDR[13 -: AddrW] : ADDRBWRADDR[13 -: AddrW]),
     .read_o(read), .enable_i(Both ? ENBWREN : ENARDEN), .write_i(strobe),
