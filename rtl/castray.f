@@ -17,7 +17,11 @@ rtl/prim/stream_fifo.sv
 rtl/prim/stream_fork.sv
 rtl/math/cordic_sqrt.sv
 rtl/math/div_pipe.sv
+rtl/math/recip_guess.sv
 rtl/math/reciprocal.sv
+rtl/math/mul_guess.sv
+rtl/math/mul_low.sv
+rtl/math/div_pair.sv
 rtl/math/mul27.sv
 rtl/math/mul27_parts.sv
 rtl/math/root_pipe.sv

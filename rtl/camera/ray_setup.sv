@@ -2,14 +2,14 @@
 // From a request to the ray that it defines, once and for all: the line org + z (sx, sy, 1) on
 // axes permuted so that the dominant one comes last.
 //   dominant_axis   axis, neg, num0, num1, den             ShearDivW bits
-//   div_pipe (two)  q = round(num / den)                   ShearFrac bits, halves up
+//   div_pair        q = round(num / den)                   ShearFrac bits, halves up
 //   s0              |S| = min(q, 1 - 2^-ShearFrac); sx, sy with their signs
 //   s1-s3           sx^2, sy^2                             exact
 //   s4              norm2 = round(1 + sx^2 + sy^2)         NormFrac bits, halves up
 //   out             the origin permuted
 // rx, ry are left zero: slab_setup's. What the divisions do not need waits in a queue beside them.
 // A zero direction: valid 0, sx = sy = 0, norm2 = 1, axis 0, neg 0. A request not ok: valid 0.
-// One ray a cycle, in order; 4 + (ShearFrac + 3) + 5 stages. Four multipliers of 27x18.
+// One ray a cycle, in order; 4 + 12 + 5 stages. 17 multipliers of 27x18.
 // Model: cpp_model/camera/ray_setup.hpp, equal bit for bit.
 module ray_setup
   import castray_cfg_pkg::*;
@@ -34,7 +34,7 @@ module ray_setup
     logic  minus1;
     logic  valid;
   } side_t;
-  localparam int unsigned KeptRays = 64;   // at least as many as the stages hold
+  localparam int unsigned KeptRays = 32;   // at least as many as the stages hold
   typedef logic [ShearFrac:0]     quotient_t;
   typedef logic [2*ShearFrac+1:0] square_t;
 
@@ -74,32 +74,29 @@ module ray_setup
   );
   assign axis_side.valid = den[ShearDivW-1];
 
-  // ---- Two divisions in step ----
-  logic      div_valid, div_ready, twin_ready, twin_valid;
-  quotient_t q0, q1;
-  side_t     div_side;
-  logic      twin_tag;
-  div_pipe #(.NumW(ShearDivW), .QFrac(ShearFrac), .BitsPerStage(1), .tag_t(side_t)) u_div0 (
+  // ---- Two divisions, shear and norm ----
+  localparam int unsigned DivStages = 12;
+  localparam int unsigned Stages    = DivStages + 5;
+  logic [Stages-1:0]     load_all;
+  logic [4:0]            load;
+  quotient_t [1:0]       quotient;
+  side_t                 side_q [DivStages];
+  side_t                 div_side;
+  pipe_chain #(.Stages(Stages)) u_chain (
     .clk_i, .rst_ni,
-    .in_valid_i(axis_valid), .in_ready_o(axis_ready),
-    .in_num_i(num0), .in_den_i(den), .in_tag_i(axis_side),
-    .out_valid_o(div_valid), .out_ready_i(div_ready), .out_q_o(q0), .out_tag_o(div_side)
-  );
-  div_pipe #(.NumW(ShearDivW), .QFrac(ShearFrac), .BitsPerStage(1), .tag_t(logic)) u_div1 (
-    .clk_i, .rst_ni,
-    .in_valid_i(axis_valid), .in_ready_o(twin_ready),
-    .in_num_i(num1), .in_den_i(den), .in_tag_i(1'b0),
-    .out_valid_o(twin_valid), .out_ready_i(div_ready), .out_q_o(q1), .out_tag_o(twin_tag)
-  );
-
-  // ---- Shear and norm ----
-  logic [4:0] load;
-  pipe_chain #(.Stages(5)) u_chain (
-    .clk_i, .rst_ni,
-    .valid_i(div_valid), .ready_o(div_ready),
+    .valid_i(axis_valid), .ready_o(axis_ready),
     .valid_o(out_valid_o), .ready_i(out_ready_i),
-    .load_o(load)
+    .load_o(load_all)
   );
+  div_pair #(.DenW(ShearDivW), .QFrac(ShearFrac)) u_divide (
+    .clk_i, .en_i(load_all[DivStages-1:0]), .num_i({num1, num0}), .den_i(den), .q_o(quotient)
+  );
+  always_ff @(posedge clk_i) begin
+    if (load_all[0]) side_q[0] <= axis_side;
+    for (int unsigned i = 1; i < DivStages; i++) if (load_all[i]) side_q[i] <= side_q[i-1];
+  end
+  assign div_side = side_q[DivStages-1];
+  assign load     = load_all[Stages-1:DivStages];
 
   function automatic shear_t signed_shear(quotient_t q, logic minus, logic valid);
     logic [ShearFrac-1:0] below_one;
@@ -130,8 +127,8 @@ module ray_setup
 
   always_ff @(posedge clk_i) begin
     if (load[0]) begin
-      sx_q[0]   <= signed_shear(q0, div_side.minus0, div_side.valid);
-      sy_q[0]   <= signed_shear(q1, div_side.minus1, div_side.valid);
+      sx_q[0]   <= signed_shear(quotient[0], div_side.minus0, div_side.valid);
+      sy_q[0]   <= signed_shear(quotient[1], div_side.minus1, div_side.valid);
       rest_q[0] <= '{axis: div_side.axis, neg: div_side.neg, valid: div_side.valid};
     end
     for (int unsigned i = 1; i < 5; i++) begin
@@ -150,8 +147,8 @@ module ray_setup
     cull: kept.cull, any_hit: kept.any_hit, tmin: kept.tmin, tmax: kept.tmax, ignore: kept.ignore, rx: '0, ry: '0
   };
 
-  logic unused_twin;    // the divisions move in step
-  assign unused_twin = twin_ready ^ twin_valid ^ twin_tag ^ axis_tag;
+  logic unused_tag;
+  assign unused_tag = axis_tag;
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin

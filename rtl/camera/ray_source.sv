@@ -146,7 +146,7 @@ module ray_source
   assign ray_px_ready = camera_ready && flag_ready && !corner_valid;
   assign issued       = camera_valid && camera_ready;
 
-  localparam int unsigned SetupRays = 64;   // at least what ray_gen and ray_setup hold
+  localparam int unsigned SetupRays = 32;   // at least what ray_gen and ray_setup hold
   stream_fifo #(.data_t(logic), .Depth(SetupRays)) u_flags (
     .clk_i, .rst_ni, .used_o(),
     .valid_i(issued), .ready_o(flag_ready), .data_i(corner_valid),

@@ -5,12 +5,12 @@
 // on permuted axes, then turned into the ray's direction.
 //   s1         the candidate
 //   s2, s3     a triangle's shift (hit_norm); a sphere's root comes first (hit_sphere)
-//   div_pipe   (two) operands of HitDivW bits, BaryFrac fraction bits, nearest
+//   div_pair   operands of HitDivW bits, BaryFrac fraction bits, nearest
 //   tail       hit_distance
 // One candidate a cycle, but none (in_ready_o) where it would meet a sphere whose root is taken. Nothing
 // stalls behind that: a result is always taken. retire_o: the candidate of out_o.ctx in lane out_lane_o is
 // finished, whether emitted or not; out_valid_o comes with retire_o. Triangles come out in order, and so do
-// spheres. What the divisions do not need waits in the tail's memories. 4 DSPs.
+// spheres. What the divisions do not need waits in the tail's memories. 14 DSPs.
 // Model: cpp_model/isect/hit_unit.hpp, equal bit for bit.
 module hit_unit
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -29,8 +29,7 @@ module hit_unit
   output lane_no_t out_lane_o,
   output logic     retire_o
 );
-  localparam int unsigned DivBitsPerStage = 2;
-  localparam int unsigned DivCycles  = (BaryFrac + 2 + DivBitsPerStage - 1) / DivBitsPerStage + 1;
+  localparam int unsigned DivCycles  = 12;
   localparam int unsigned RootCycles = (CoordW + 2) / 2;
   // A candidate's place in the tail's memories is the cycle in which it enters: there are more places than
   // cycles that any is inside, a sphere's root, three cycles to the divider, and seven behind it.
@@ -133,30 +132,30 @@ module hit_unit
     end
   end
 
-  // ---- The divisions; the scales wait beside them, at the place of the cycle ----
+  // ---- The divisions; the scales and the place wait beside them, at the place of the cycle ----
   localparam int unsigned DivPlaceW = $clog2(DivCycles + 1);
   typedef logic [DivPlaceW-1:0] div_place_t;
-  logic       q_valid;
-  bary_t      q0, q1;
-  place_t     q_place;
-  div_place_t div_place;
-  scales_t    scales_q [1 << DivPlaceW];
-  scales_t    scales;
+  typedef struct packed {
+    place_t  place;
+    scales_t scales;
+  } waiting_t;
+  logic [DivCycles-1:0] dividing_q;   // bit k: stage k + 1 holds a candidate
+  bary_t [1:0]          q;
+  div_place_t           div_place;
+  waiting_t             waiting_q [1 << DivPlaceW];
+  waiting_t             waiting;
   assign div_place = div_place_t'(place_q);
-  assign scales    = scales_q[div_place - div_place_t'(DivCycles)];
+  assign waiting   = waiting_q[div_place - div_place_t'(DivCycles)];
   always_ff @(posedge clk_i) begin
-    if (valid3_q) scales_q[div_place] <= scales3_q;
+    if (!rst_ni) dividing_q <= '0;
+    else dividing_q <= {dividing_q[DivCycles-2:0], valid3_q};
+  end
+  always_ff @(posedge clk_i) begin
+    if (valid3_q) waiting_q[div_place] <= '{place: place3_q, scales: scales3_q};
   end
 
-  div_pipe #(.NumW(HitDivW), .QFrac(BaryFrac), .BitsPerStage(DivBitsPerStage), .tag_t(place_t)) u_div0 (
-    .clk_i, .rst_ni,
-    .in_valid_i(valid3_q), .in_ready_o(), .in_num_i(num0_q), .in_den_i(den_q), .in_tag_i(place3_q),
-    .out_valid_o(q_valid), .out_ready_i(1'b1), .out_q_o(q0), .out_tag_o(q_place)
-  );
-  div_pipe #(.NumW(HitDivW), .QFrac(BaryFrac), .BitsPerStage(DivBitsPerStage), .tag_t(logic)) u_div1 (
-    .clk_i, .rst_ni,
-    .in_valid_i(valid3_q), .in_ready_o(), .in_num_i(num1_q), .in_den_i(den_q), .in_tag_i(1'b0),
-    .out_valid_o(), .out_ready_i(1'b1), .out_q_o(q1), .out_tag_o()
+  div_pair #(.DenW(HitDivW), .QFrac(BaryFrac)) u_divide (
+    .clk_i, .en_i({dividing_q[DivCycles-2:0], valid3_q}), .num_i({num1_q, num0_q}), .den_i(den_q), .q_o(q)
   );
 
   // ---- The tail ----
@@ -164,17 +163,14 @@ module hit_unit
     .clk_i, .rst_ni,
     .put_i(take), .put_place_i(place_q), .put_ctx_i(in_i.ctx), .put_number_i(in_i.number), .put_kind_i(in_i.kind),
     .put_cz_i(-in_i.cz), .put_lane_i(in_lane_i), .put_ray_i(in_ray_i),
-    .q_valid_i(q_valid), .q_place_i(q_place), .q0_i(q0), .q1_i(q1), .scale0_i(scales.scale0), .scale1_i(scales.scale1),
+    .q_valid_i(dividing_q[DivCycles-1]), .q_place_i(waiting.place), .q0_i(q[0]), .q1_i(q[1]),
+    .scale0_i(waiting.scales.scale0), .scale1_i(waiting.scales.scale1),
     .done_o(retire_o), .out_valid_o, .out_o, .out_lane_o
   );
 
 `ifndef SYNTHESIS
-  // The scales that are read belong to the quotients.
-  place_t scaled_q [1 << DivPlaceW];
   always_ff @(posedge clk_i) begin
-    if (valid3_q) scaled_q[div_place] <= place3_q;
-    if (rst_ni && q_valid)
-      assert (scaled_q[div_place - div_place_t'(DivCycles)] == q_place) else $error("div_pipe does not take DivCycles");
+    if (rst_ni && valid3_q) assert (num0_q <= den_q && num1_q <= den_q) else $error("a quotient above one");
   end
 `endif
 endmodule

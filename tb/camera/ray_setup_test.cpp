@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t kOne = std::int64_t{1} << ShearFrac;  // S = 1, never reached
 constexpr std::int64_t kCompMax = (std::int64_t{1} << (dir_comp_t_bits - 1)) - 1;
 constexpr std::int64_t kCompMin = -kCompMax - 1;
-constexpr int kStages = 4 + 29 + 5;
+constexpr int kStages = 4 + 12 + 5;
 
 // What a camera asks for.
 ray_req_t item(std::int64_t x, std::int64_t y, std::int64_t z) {

@@ -144,7 +144,7 @@ TEST(HitUnit, TakesOneEveryCycle) {
     triangles.push_back(any_triangle(rng));
     spheres.push_back(sphere(rng.in(0, 9999), static_cast<std::uint64_t>(rng.in(0, 99999)), rng.in(-9999, 9999), straight()));
   }
-  const long alone = 3 + (BaryFrac + 3) / 2 + 1 + 7 + 1, root = (CoordW + 2) / 2 + 1;
+  const long alone = 3 + 12 + 7 + 1, root = (CoordW + 2) / 2 + 1;
   EXPECT_EQ(run({triangles[0]}).cycles, alone);
   EXPECT_EQ(run({spheres[0]}).cycles, alone + root);
   EXPECT_EQ(run(triangles).cycles, 999 + alone);
