@@ -10,7 +10,7 @@
 // the product the guess before its cut exceeds the exact quotient by 2^(RecipW-2 Index-2) + 1/2, less than one.
 // One a cycle, four cycles, never stalls. en_i[k] says that stage k + 1 takes an item in this cycle. A multiplier of
 // 27x18 and a memory of 2^Index words. Method: piecewise linear interpolation (Muller, Elementary Functions, 2006).
-// Model: cpp_model/math/div_pipe.hpp, of which it is a step.
+// Model: a step of div_floor, cpp_model/math/div_pipe.hpp.
 module recip_guess
   import castray_cfg_pkg::*;
 #(

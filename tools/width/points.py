@@ -83,15 +83,29 @@ def dsp(a, b):
     return min(parts(a, b), parts(b, a))
 
 
+def unsigned_dsp(a, b, out):
+    """Of a product cut to its lower `out` bits; a short one is made of LUTs."""
+    return 0 if min(a, b) < 2 or min(a + b, out) < 9 else -(-min(a, b) // 17) * -(-max(a, b) // 26)
+
+
+def division(den, fraction):
+    """Of math/div_pair: the table's guess, three products with it, the two steps, and the two checks."""
+    middle, above = max(fraction + 2, 18) - 17, max(den - 26, 0)
+    low = den + 2
+    guess = 1 + 3 * (1 + (unsigned_dsp(above, 17, 64) if above else 0))
+    check = 1 + unsigned_dsp(middle, min(den, low - 17), low - 17) + (unsigned_dsp(min(17, low - 26), above, low - 26) if above else 0)
+    return guess + 2 + 2 * check
+
+
 def dsps(widths):
     """By unit, from the operands of its products."""
     w = defaults() | widths
     position, shear, quotient, recip = w["CoordW"] + 1, w["ShearFrac"] + 1, w["BaryFrac"] + 2, w["RecipW"] + 1
     return {
         "isect/ray_prim": 6 * dsp(position, shear) + 4 * dsp(position, position) + 4 * dsp(position, max(position, shear)),
-        "isect/hit_unit": 2 * dsp(position, quotient),
+        "isect/hit_unit": 2 * dsp(position, quotient) + division(w["HitDivW"], w["BaryFrac"]),
         "isect/node_pipe": 4 * dsp(position, recip) + 16,
-        "camera/ray_setup": 2 * dsp(shear, shear),
+        "camera/ray_setup": 2 * dsp(shear, shear) + division(w["ShearDivW"], w["ShearFrac"]),
     }
 
 
