@@ -75,13 +75,13 @@ module ray_setup
   assign axis_side.valid = den[ShearDivW-1];
 
   // ---- Two divisions, shear and norm ----
-  localparam int unsigned DivStages = 12;
+  localparam int unsigned DivStages = 12;   // div_pair's
   localparam int unsigned Stages    = DivStages + 5;
-  logic [Stages-1:0]     load_all;
-  logic [4:0]            load;
-  quotient_t [1:0]       quotient;
-  side_t                 side_q [DivStages];
-  side_t                 div_side;
+  logic [Stages-1:0] load_all;
+  logic [4:0]        load;
+  quotient_t [1:0]   quotient;
+  side_t             side_q [DivStages];
+  side_t             div_side;
   pipe_chain #(.Stages(Stages)) u_chain (
     .clk_i, .rst_ni,
     .valid_i(axis_valid), .ready_o(axis_ready),

@@ -29,7 +29,7 @@ module hit_unit
   output lane_no_t out_lane_o,
   output logic     retire_o
 );
-  localparam int unsigned DivCycles  = 12;
+  localparam int unsigned DivCycles  = 12;   // div_pair's
   localparam int unsigned RootCycles = (CoordW + 2) / 2;
   // A candidate's place in the tail's memories is the cycle in which it enters: there are more places than
   // cycles that any is inside, a sphere's root, three cycles to the divider, and seven behind it.

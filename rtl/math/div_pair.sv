@@ -23,20 +23,20 @@ module div_pair
 ) (
   input  logic                   clk_i,
 
-  input  logic [11:0]            en_i,
-  input  logic [1:0] [DenW-1:0]  num_i,
-  input  logic [DenW-1:0]        den_i,
-  output logic [1:0] [QFrac:0]   q_o
+  input  logic [11:0]           en_i,
+  input  logic [1:0] [DenW-1:0] num_i,
+  input  logic [DenW-1:0]       den_i,
+  output logic [1:0] [QFrac:0]  q_o
 );
   if (QFrac < 12 || QFrac > 26 || DenW < QFrac + 2 || DenW > 45) begin : g_width
     $error("div_pair: QFrac must be 12 to 26, DenW QFrac + 2 to 45");
   end
-  localparam int unsigned GuessW = RecipW;                 // bits of r
-  localparam int unsigned Shift  = DenW + GuessW - 1 - QFrac;   // x and t count in 2^-Shift of q's last bit
-  localparam int unsigned Spare  = 3;                      // bits of x below q's last
-  localparam int unsigned GDrop  = (DspAW - 1) + DspBW - 3 + (GuessW - 1) - QFrac - Spare;   // bits of g below those
-  localparam int unsigned CheckW = DenW + 2;
-  localparam int unsigned HeadW  = CheckW - QFrac - 1;     // bits of v that num 2^(QFrac+1) reaches
+  localparam int unsigned GuessW  = RecipW;                     // bits of r
+  localparam int unsigned Shift   = DenW + GuessW - 1 - QFrac;  // x and t count in 2^-Shift of q's last bit
+  localparam int unsigned Spare   = 3;                          // bits of x below q's last
+  localparam int unsigned GDrop   = (DspAW - 1) + DspBW - 3 + (GuessW - 1) - QFrac - Spare;   // bits of g below those
+  localparam int unsigned CheckW  = DenW + 2;
+  localparam int unsigned HeadW   = CheckW - QFrac - 1;         // bits of v that num 2^(QFrac+1) reaches
   localparam int unsigned MiddleW = (QFrac + 2 > GuessW) ? QFrac + 2 : GuessW + 1;
   typedef logic [DenW-1:0]        op_t;
   typedef logic [DenW+GuessW-1:0] product_t;
@@ -64,9 +64,9 @@ module div_pair
   end
 
   // ---- How far r is off: the product's lower bits as a signed number ----
-  product_t                 den_guess;
-  logic [CheckW+DspBW-1:0]  off;
-  logic signed [DspBW-1:0]  off6;
+  product_t                den_guess;
+  logic [CheckW+DspBW-1:0] off;
+  logic signed [DspBW-1:0] off6;
   mul_guess #(.W(DenW)) u_off (.clk_i, .en_i(en_i[5:4]), .a_i(den_q[3]), .guess_i(guess), .p_o(den_guess));
   assign off  = {den_guess[CheckW-1:0], DspBW'(0)};
   assign off6 = off[CheckW+DspBW-1 -: DspBW];
@@ -78,11 +78,11 @@ module div_pair
     end
 
     // ---- The estimate ----
-    product_t                              t, t7_q;
-    logic [DenW+GuessW+DspAW-2:0]          wide;
-    logic signed [DspAW+DspBW-1:0]         g_q;
-    logic [QFrac+Spare:0]                  x;
-    quotient_t                             q8_q, q9_q, q10_q, q11_q;
+    product_t                      t, t7_q;
+    logic [DenW+GuessW+DspAW-2:0]  wide;
+    logic signed [DspAW+DspBW-1:0] g_q;
+    logic [QFrac+Spare:0]          x;
+    quotient_t                     q8_q, q9_q, q10_q, q11_q;
     mul_guess #(.W(DenW)) u_t (.clk_i, .en_i(en_i[5:4]), .a_i(num_q[i][3]), .guess_i(guess), .p_o(t));
     assign wide = {t, (DspAW-1)'(0)};
     assign x    = (QFrac+Spare+1)'(t7_q >> (Shift - Spare)) - (QFrac+Spare+1)'(g_q >>> GDrop);
@@ -90,7 +90,7 @@ module div_pair
     // ---- The middle between it and the next ----
     logic [MiddleW-1:0] middle;
     check_t             v_q;
-    logic [QFrac:0]     tail;
+    quotient_t          tail;
     logic [HeadW-1:0]   head, gap;
     logic               past_q;
     assign middle = MiddleW'({q8_q, 1'b1});

@@ -34,8 +34,8 @@ module recip_guess
     start_t start;
     fall_t  fall;
   } line_t;
-  typedef logic [LowW-1:0]                low_t;
-  typedef logic [LowW+$bits(fall_t)-1:0]  product_t;
+  typedef logic [LowW-1:0]               low_t;
+  typedef logic [LowW+$bits(fall_t)-1:0] product_t;
 
   // 2^(RecipW+2) / (1 + i / 2^Index), rounded up.
   function automatic start_t node(int unsigned i);
