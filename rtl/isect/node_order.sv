@@ -5,15 +5,17 @@
 //   s2  visited: the child's stretch is one, and meets the limits'. Its place: how many enter sooner,
 //       or in the same tick with a lower number. z = plane + the tick of entry
 //   s3  least = z, or ~z where the ray runs along -z, cut to 0 and the largest; the entries in place
-// One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item. neg_i, dz_i and ez_i belong to
-// s1, the children's and the limits' stretches to s2, targets to s3.
+//       combinational, for the register of who decides
+// One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item, valid_i: s3 has one, else out_o is
+// zero. neg_i, dz_i and ez_i belong to s1, the children's and the limits' stretches to s2, targets to s3.
 // Model: cpp_model/isect/node_order.hpp, equal bit for bit.
 module node_order
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 (
   input  logic        clk_i,
 
-  input  logic [2:0]  en_i,
+  input  logic [1:0]  en_i,
+  input  logic        valid_i,
   input  logic        neg_i,
   input  delta_t      dz_i,
   input  plane_exp_t  ez_i,
@@ -82,12 +84,10 @@ module node_order
       end
     end
     places = '0;
-    for (int unsigned k = 0; k < 4; k++)
-      for (int unsigned i = 0; i < 4; i++)
-        if (visited[i] && $countones(ahead[i]) == k) begin
-          places.some[k] = 1'b1;
-          places.who[k] |= 2'(i);
-        end
+    for (int unsigned k = 0; k < 4; k++) begin
+      places.some[k] = $countones(visited) > k;
+      for (int unsigned i = 0; i < 4; i++) if (visited[i] && $countones(ahead[i]) == k) places.who[k] |= 2'(i);
+    end
   endfunction
 
   always_ff @(posedge clk_i) begin
@@ -110,7 +110,8 @@ module node_order
     for (int unsigned k = 0; k < 4; k++) entry[k] = place_q.some[k] ? child[place_q.who[k]] : '0;
     return '{e0: entry[0], e1: entry[1], e2: entry[2], e3: entry[3]};
   endfunction
-  always_ff @(posedge clk_i) begin
-    if (en_i[2]) out_o <= entries();
+  always_comb begin
+    out_o = '0;
+    if (valid_i) out_o = entries();
   end
 endmodule

@@ -8,7 +8,7 @@
 
 namespace castray::tb {
 
-inline constexpr int kLatency = 8;
+inline constexpr int kLatency = 7;
 
 inline void offer(Dut<Vnode_pipe>& dut, const NodeCase& c) {
   set_port(dut->in_ctx_i, c.ctx);
