@@ -156,7 +156,7 @@ module node_pipe
 
   // ---- s6 to s8 ----
   node_order u_order (
-    .clk_i, .en_i(en[6:5]), .valid_i(en[7]), .neg_i(plane_q[4].neg), .dz_i(plane_q[4].dz), .ez_i(plane_q[4].ez),
+    .clk_i, .en_i(en[6:5]), .neg_i(plane_q[4].neg), .dz_i(plane_q[4].dz), .ez_i(plane_q[4].ez),
     .exists_i(exists_q[5]), .none_i(none), .low_i(low), .high_i(high),
     .limits_none_i(limits_none), .first_i(first), .last_i(last), .target_i(node8_q.target),
     .out_o

@@ -5,6 +5,7 @@
 // Verilator: -GContexts=6 -GLines=16 -GTileNodes=8
 #include "traverse/node_visits.hpp"
 
+#include "../isect/visits_read.hpp"
 #include "../scene/ray_maker.hpp"
 #include "Vnode_visits.h"
 #include "line_memory_model.hpp"
@@ -60,7 +61,7 @@ class NodeVisits : public testing::TestWithParam<Stalls> {
     tests += dut->node_o;
     fault = static_cast<error_t>(dut->fault_o);
     int came = -1;
-    if (dut->out_valid_o) came = dut->out_ctx_o, visits = get_port<visits_t>(dut->out_o);
+    if (dut->out_valid_o) came = dut->out_ctx_o, visits = as_read(get_port<visits_t>(dut->out_o));
     memory.observe(dut);
     dut.tick();
     dut->visit_valid_i = dut->tile_write_i = 0;
