@@ -40,41 +40,49 @@ module tile_walk
   typedef logic [IdxW-1:0]   idx_t;
   typedef logic [2*IdxW-1:0] code_t;
 
-  // ---- The window in tiles ----
-  idx_t first_col, first_row, last_col, last_row;   // last ones counted from the first
-  logic empty;
-  assign first_col = job_i.x0[PixelW-1:TileLog2];
-  assign first_row = job_i.y0[PixelW-1:TileLog2];
-  assign last_col  = last_index(job_i.x1) - first_col;
-  assign last_row  = last_index(job_i.y1) - first_row;
-  assign empty     = job_i.x0 >= job_i.x1 || job_i.y0 >= job_i.y1;
+  // ---- The window in tiles, of one axis ----
+  typedef logic [TileLog2-1:0] offset_t;
+  typedef struct packed {
+    idx_t       first, last;   // the last one counted from the first
+    offset_t    skip;          // pixels of the first tile before the window
+    logic [4:0] size;          // of the last tile, those before the window counted too
+  } span_t;
+  span_t cols_q, rows_q;
+  logic  empty;
+  assign empty = job_i.x0 >= job_i.x1 || job_i.y0 >= job_i.y1;
 
-  function automatic idx_t last_index(extent_t limit);
+  function automatic span_t span(extent_t low, extent_t limit);
     extent_t last;
     last = limit - 1'b1;
-    return last[PixelW-1:TileLog2];
+    return '{first: low[PixelW-1:TileLog2], last: last[PixelW-1:TileLog2] - low[PixelW-1:TileLog2],
+             skip: low[TileLog2-1:0], size: 5'(last[TileLog2-1:0]) + 5'd1};
   endfunction
+  always_ff @(posedge clk_i) begin
+    if (start_i) begin
+      cols_q <= span(job_i.x0, job_i.x1);
+      rows_q <= span(job_i.y0, job_i.y1);
+    end
+  end
 
   // ---- The next place: at_q is {row, column} or the Z code ----
   code_t at_q, at_d, code;
   logic  ended_q, ended_d;
-  idx_t  col, row;
-  logic  in_window, step;
+  idx_t  z_col, z_row, col, row;
+  logic  z_in_window, in_window, step;
 
   always_comb begin
-    for (int unsigned i = 0; i < IdxW; i++) begin
-      col[i] = job_i.z_order ? at_q[2*i] : at_q[i];
-      row[i] = job_i.z_order ? at_q[2*i+1] : at_q[IdxW+i];
-    end
+    for (int unsigned i = 0; i < IdxW; i++) {z_row[i], z_col[i]} = at_q[2*i +: 2];
   end
-  assign in_window = col <= last_col && row <= last_row;
-  assign code   = in_window ? code_t'(1) : at_q & (~at_q + 1'b1);
+  assign {row, col}  = job_i.z_order ? {z_row, z_col} : at_q;
+  assign z_in_window = z_col <= cols_q.last && z_row <= rows_q.last;
+  assign in_window   = z_in_window || !job_i.z_order;
+  assign code        = z_in_window ? code_t'(1) : at_q & (~at_q + 1'b1);
 
   always_comb begin
     {ended_d, at_d} = {1'b0, at_q} + {1'b0, code};
     if (!job_i.z_order) begin
-      at_d    = (col == last_col) ? {row + 1'b1, {IdxW{1'b0}}} : {row, col + 1'b1};
-      ended_d = col == last_col && row == last_row;
+      at_d    = (col == cols_q.last) ? {row + 1'b1, {IdxW{1'b0}}} : {row, col + 1'b1};
+      ended_d = col == cols_q.last && row == rows_q.last;
     end
   end
 
@@ -83,21 +91,19 @@ module tile_walk
   logic       tile_valid_q;
   logic       granted;
 
-  function automatic pixel_t first_of(idx_t index, extent_t low);
-    extent_t start;
-    start = extent_t'({index, {TileLog2{1'b0}}});
-    return pixel_t'((start > low) ? start : low);
+  function automatic offset_t skip_of(idx_t index, span_t of);
+    return (index == '0) ? of.skip : '0;
   endfunction
-  function automatic logic [4:0] size_of(idx_t index, extent_t low, extent_t high);
-    extent_t start, limit;
-    start = extent_t'({index, {TileLog2{1'b0}}});
-    limit = start + extent_t'(Size);
-    return 5'(((limit < high) ? limit : high) - ((start > low) ? start : low));
+  function automatic pixel_t first_of(idx_t index, span_t of);
+    return {of.first + index, skip_of(index, of)};
   endfunction
-  function automatic tile_t tile_at(idx_t tile_col, idx_t tile_row, job_t job);
+  function automatic logic [4:0] size_of(idx_t index, span_t of);
+    return ((index == of.last) ? of.size : 5'(Size)) - 5'(skip_of(index, of));
+  endfunction
+  function automatic tile_t tile_at(idx_t tile_col, idx_t tile_row, span_t cols, span_t rows);
     return '{
-      x: first_of(tile_col, job.x0), width: size_of(tile_col, job.x0, job.x1),
-      y: first_of(tile_row, job.y0), height: size_of(tile_row, job.y0, job.y1), slot: '0
+      x: first_of(tile_col, cols), width: size_of(tile_col, cols),
+      y: first_of(tile_row, rows), height: size_of(tile_row, rows), slot: '0
     };
   endfunction
 
@@ -119,7 +125,7 @@ module tile_walk
       at_q <= '0;
     end else if (step) begin
       at_q <= at_d;
-      if (in_window) tile_q <= tile_at(first_col + col, first_row + row, job_i);
+      if (in_window) tile_q <= tile_at(col, row, cols_q, rows_q);
     end
   end
 

@@ -23,13 +23,31 @@ module hit_norm
   area_t      u_q, v_q;
   det_t       det_q;
 
+  // Zeros above the first one of four bits.
+  function automatic logic [1:0] zeros_of(logic [3:0] x);
+    return x[3] ? 2'd0 : x[2] ? 2'd1 : x[1] ? 2'd2 : 2'd3;
+  endfunction
+  // Four by four: of the first group that has a one, zeros_of its groups.
   function automatic logic [5:0] leading_zeros(det_t x);
-    logic [63:0] rest;
+    logic [63:0]      rest;
+    logic [15:0]      some4;
+    logic [15:0][1:0] zeros4;
+    logic [3:0]       some16;
+    logic [3:0][3:0]  zeros16;
+    logic [1:0]       first, top;
     rest = {x, {(64 - DetW){1'b1}}};
-    for (int unsigned k = 0; k < 6; k++) begin
-      leading_zeros[5-k] = (rest >> (64 - (32 >> k))) == '0;
-      if (leading_zeros[5-k]) rest = rest << (32 >> k);
+    for (int unsigned i = 0; i < 16; i++) begin
+      some4[i]  = rest[4*i +: 4] != '0;
+      zeros4[i] = zeros_of(rest[4*i +: 4]);
     end
+    for (int unsigned i = 0; i < 4; i++) begin
+      some16[i]  = some4[4*i +: 4] != '0;
+      first      = zeros_of(some4[4*i +: 4]);
+      zeros16[i] = {first, zeros4[{2'(i), ~first}]};
+    end
+    top   = zeros_of(some16);
+    first = ~top;
+    return {top, zeros16[first]};
   endfunction
 
   // One of four: a shift by two bits of its distance at once.

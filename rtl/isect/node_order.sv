@@ -5,6 +5,8 @@
 //   s2  visited: the child's stretch is one, and meets the limits'. Its place: how many enter sooner,
 //       or in the same tick with a lower number. z = plane + the tick of entry
 //   s3  least = z, or ~z where the ray runs along -z, cut to 0 and the largest; the entries in place
+//       combinational, for the register of who decides. Where no child comes the kind is RefNone, and the
+//       rest of the entry any child's
 // One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item. neg_i, dz_i and ez_i belong to
 // s1, the children's and the limits' stretches to s2, targets to s3.
 // Model: cpp_model/isect/node_order.hpp, equal bit for bit.
@@ -13,7 +15,7 @@ module node_order
 (
   input  logic        clk_i,
 
-  input  logic [2:0]  en_i,
+  input  logic [1:0]  en_i,
   input  logic        neg_i,
   input  delta_t      dz_i,
   input  plane_exp_t  ez_i,
@@ -82,12 +84,14 @@ module node_order
       end
     end
     places = '0;
-    for (int unsigned k = 0; k < 4; k++)
-      for (int unsigned i = 0; i < 4; i++)
+    for (int unsigned k = 0; k < 4; k++) begin
+      for (int unsigned i = 0; i < 4; i++) begin
         if (visited[i] && $countones(ahead[i]) == k) begin
           places.some[k] = 1'b1;
           places.who[k] |= 2'(i);
         end
+      end
+    end
   endfunction
 
   always_ff @(posedge clk_i) begin
@@ -107,10 +111,11 @@ module node_order
   function automatic visits_t entries();
     entry_t [3:0] child, entry;
     for (int unsigned i = 0; i < 4; i++) child[i] = '{least: least(z_q[i], neg2_q), target: target_i[i]};
-    for (int unsigned k = 0; k < 4; k++) entry[k] = place_q.some[k] ? child[place_q.who[k]] : '0;
+    for (int unsigned k = 0; k < 4; k++) begin
+      entry[k] = child[place_q.who[k]];
+      if (!place_q.some[k]) entry[k].target.kind = RefNone;
+    end
     return '{e0: entry[0], e1: entry[1], e2: entry[2], e3: entry[3]};
   endfunction
-  always_ff @(posedge clk_i) begin
-    if (en_i[2]) out_o <= entries();
-  end
+  assign out_o = entries();
 endmodule

@@ -4,11 +4,11 @@
 //   s1-s4   its planes across the two axes that are not dominant             (slab_axis)
 //   s1-s6   each child's box                                                 (slab_child)
 //           and what tmin and the nearest t leave of the ray                 (slab_limits)
-//   s6-s8   order                                                            (node_order)
+//   s6-s8   order; s8 is combinational                                       (node_order)
 // A child is dropped only if the line misses its box, or passes it where no hit that is reported for
 // its inside could lie between tmin and t: docs/number-formats.md, "The test of a node". Of a node
 // that no scene image may hold no child is visited, and error_o is set with out_valid_o.
-// One node a cycle, 8 cycles, never stalls. 20 DSPs.
+// One node a cycle, 7 cycles, never stalls. 20 DSPs.
 // Model: cpp_model/isect/node_pipe.hpp, equal bit for bit.
 module node_pipe
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
@@ -28,15 +28,15 @@ module node_pipe
   output logic      error_o
 );
   width_check u_widths ();
-  localparam int unsigned Stages = 8;
+  localparam int unsigned Stages = 7;   // registers
 
   // Bit k belongs to the item that enters stage k + 1.
-  logic [Stages-1:0] en;
-  logic [Stages-1:1] valid_q;
+  logic [Stages:0] en;
+  logic [Stages:1] valid_q;
   assign en = {valid_q, in_valid_i};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else valid_q <= en[Stages-2:0];
+    else valid_q <= en[Stages-1:0];
   end
 
   // ---- The node's words ----
@@ -86,7 +86,7 @@ module node_pipe
   end
 
   // ---- What is needed again: the children's references are written into block RAM as a node enters, at the
-  // place of that cycle, and read a cycle before they are needed; the rest comes along ----
+  // place of that cycle, and read two cycles before they are needed; the rest comes along ----
   localparam int unsigned PlaceW = $clog2(Stages);
   typedef logic [PlaceW-1:0] place_t;
   typedef struct packed {
@@ -104,7 +104,7 @@ module node_pipe
   plane_of_t  plane_q [5];
   logic [3:0] exists_q [6];   // for s7
   (* ram_style = "block" *) kept_node_t kept_node_q [1 << PlaceW];
-  kept_node_t node8_q;
+  kept_node_t node7_q, node8_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) place_q <= '0;
@@ -118,7 +118,8 @@ module node_pipe
     end
     for (int unsigned i = 1; i < 5; i++) if (en[i]) plane_q[i] <= plane_q[i-1];
     for (int unsigned i = 1; i < 6; i++) if (en[i]) exists_q[i] <= exists_q[i-1];
-    if (en[6]) node8_q <= kept_node_q[place_q - place_t'(6)];
+    if (en[5]) node7_q <= kept_node_q[place_q - place_t'(5)];
+    if (en[6]) node8_q <= node7_q;
   end
 
   // ---- s1 to s6 ----
@@ -155,20 +156,13 @@ module node_pipe
 
   // ---- s6 to s8 ----
   node_order u_order (
-    .clk_i, .en_i(en[7:5]), .neg_i(plane_q[4].neg), .dz_i(plane_q[4].dz), .ez_i(plane_q[4].ez),
+    .clk_i, .en_i(en[6:5]), .neg_i(plane_q[4].neg), .dz_i(plane_q[4].dz), .ez_i(plane_q[4].ez),
     .exists_i(exists_q[5]), .none_i(none), .low_i(low), .high_i(high),
     .limits_none_i(limits_none), .first_i(first), .last_i(last), .target_i(node8_q.target),
     .out_o
   );
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) out_valid_o <= 1'b0;
-    else out_valid_o <= en[Stages-1];
-  end
-  always_ff @(posedge clk_i) begin
-    if (en[Stages-1]) begin
-      out_ctx_o <= node8_q.ctx;
-      error_o   <= node8_q.error;
-    end
-  end
+  assign out_valid_o = en[7];
+  assign out_ctx_o   = node8_q.ctx;
+  assign error_o     = node8_q.error;
 endmodule

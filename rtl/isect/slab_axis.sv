@@ -4,9 +4,9 @@
 //   D / S + q 2^e / S - Dz     steps behind the first plane across the dominant axis.
 // A tick of this axis is 2^-SubPlane of the wider of two spacings: 2^e / |S|, and 2^ez.
 //   s1  over = e + exp - ez; the shift from the product to ticks
-//   s2  product = D mant -+ Dz 2^16 / 2^exp          two DSPs: a shift by exp's lower bits is a product
+//   s2  D mant, -+ Dz 2^16 / 2^exp                   two DSPs: a shift by exp's lower bits is a product
 //       slack: what D mant may lack; mant's upper 10 bits for the planes, and one more
-//   s3  base = product in ticks, cut to SubPlane + 11 bits; low, high
+//   s3  base = product, their sum, in ticks, cut to SubPlane + 11 bits; low, high
 //   s4  left: a tick of this axis is 2^left ticks of the dominant one, 15: or more
 // The ray crosses plane q between low + q mant and high + q (mant + 1), S negative: between
 // low - q (mant + 1) and high - q mant; mant with 9 - SubPlane fraction bits.
@@ -46,14 +46,16 @@ module slab_axis
     return scale_t'(1) << (5'd16 - {1'b0, exp[3:0]});
   endfunction
 
-  function automatic product_t product(delta_t d, delta_t dz, scale_t by, recip_t r);
-    logic signed [RecipW:0]  mant;
-    product_t                whole, along;
-    mant  = {1'b0, r.mant};
-    whole = d * mant;
-    along = dz * by;
-    if (r.exp[4]) along = along >>> 16;
-    return whole + (r.minus ? along : ~along);
+  function automatic product_t whole(delta_t d, recip_t r);
+    logic signed [RecipW:0] mant;
+    mant = {1'b0, r.mant};
+    return d * mant;
+  endfunction
+  function automatic product_t along(delta_t dz, scale_t by, recip_t r);
+    product_t shifted;
+    shifted = dz * by;
+    if (r.exp[4]) shifted = shifted >>> 16;
+    return r.minus ? shifted : ~shifted;
   endfunction
 
   // |d| in ticks, rounded up.
@@ -103,14 +105,15 @@ module slab_axis
   end
 
   // ---- s2 ----
-  product_t   product2_q;
+  product_t   whole2_q, along2_q;
   slack_t     slack2_q;
   logic       minus2_q, before2_q;   // before: the true crossing lies before base, else behind it
   plane_exp_t right2_q;
   logic [3:0] left2_q, left3_q;
   always_ff @(posedge clk_i) begin
     if (en_i[1]) begin
-      product2_q <= product(d1_q, dz1_q, scale1_q, recip1_q);
+      whole2_q   <= whole(d1_q, recip1_q);
+      along2_q   <= along(dz1_q, scale1_q, recip1_q);
       slack2_q   <= slack(d1_q, right1_q);
       minus2_q   <= recip1_q.minus;
       before2_q  <= d1_q[CoordW] != recip1_q.minus;
@@ -129,7 +132,7 @@ module slab_axis
     return both[$bits(slab_t):1];
   endfunction
   function automatic slab_t from();
-    return slab_t'(signed'({BaseW{minus2_q}} ^ base(product2_q, right2_q)));
+    return slab_t'(signed'({BaseW{minus2_q}} ^ base(whole2_q + along2_q, right2_q)));
   endfunction
   always_ff @(posedge clk_i) begin
     if (en_i[2]) begin

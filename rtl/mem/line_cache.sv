@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cache of 64-byte lines that does not wait for memory. Who asks has a number (a lane: its
 // context) and one request under way at most; answers come in any order.
-//   look   in -> cycle 0 the set's tags, and the lines waited for (line_tags, line_misses)
-//                cycle 1 found: to serve. Not found: the number waits in the line's chain; a line
+//   look   in -> cycle 0 the set's tags
+//                cycle 1 compared; the line with those waited for too (line_tags, line_misses)
+//                cycle 2 found: to serve. Not found: the number waits in the line's chain; a line
 //                        that nobody waited for is asked for. A lookup never waits for memory.
 //   fill   a line from memory -> register; cycle 1 it takes its place and its chain goes to wake
 //   serve  a number and a place, of a hit or of wake in turn; a cycle each for the data memory and
 //          for its output register -> out
 // At most Misses lines are waited for, each asked for once; while there may be none left nothing
 // is looked up. Of one set, there is one thing at a time: a fill waits while a lookup of the set
-// stands in cycle 1 or a chain of the set is served, and lookups of the set wait for the fill. So a
+// stands in cycle 1 or 2 or a chain of the set is served, and lookups of the set wait for the fill. So a
 // line stays until all who waited for it have it.
 // Kept lines lie beside the cache's in the data memory. The user writes them, and asks for them by
 // their indices, in turn with what the cache serves. Nothing is read in the cycle in which one is
 // written, and out must not be blocked then.
 // What comes out of out makes everything else move, so out must not wait for in or fill
 // (docs/memory.md).
-// One lookup a cycle. A hit takes 3 cycles from in to out; a line is offered 4 cycles after it came.
+// One lookup a cycle. A hit takes 4 cycles from in to out; a line is offered 4 cycles after it came.
 // After a reset nothing is taken for as many cycles as there are sets: the tags are emptied.
 module line_cache
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -82,12 +83,12 @@ module line_cache
   endfunction
 
   // ---- Look ----
-  logic             emptied, room, open, look, looked, leaves, found, is_new;
+  logic             emptied, room, open, look, looking, match, match_ready, looked, leaves, found, is_new;
   logic             filled, fill, fill_load;
   logic [WayW-1:0]  found_way, fill_way;
   miss_t            new_miss;
-  id_t              id_q;
-  line_no_t         line_q, fill_line_q;
+  id_t              id_q, look_id_q;
+  line_no_t         line_q, look_line_q, fill_line, fill_line_q;
   miss_t            fill_miss_q;
   logic [ReadW-1:0] fill_data_q;
 
@@ -95,23 +96,32 @@ module line_cache
     open = emptied && room;
     if (filled) open = open && set_of(in_line_i) != set_of(fill_line_q);
   end
-  assign in_ready_o = open && (!looked || leaves);
+  logic look_ready;
+  assign in_ready_o = open && look_ready;
   pipe_chain #(.Stages(1)) u_look (
-    .clk_i, .rst_ni, .valid_i(in_valid_i && open), .ready_o(),
-    .valid_o(looked), .ready_i(leaves), .load_o(look)
+    .clk_i, .rst_ni, .valid_i(in_valid_i && open), .ready_o(look_ready),
+    .valid_o(looking), .ready_i(match_ready), .load_o(look)
+  );
+  pipe_chain #(.Stages(1)) u_match (
+    .clk_i, .rst_ni, .valid_i(looking), .ready_o(match_ready),
+    .valid_o(looked), .ready_i(leaves), .load_o(match)
   );
   always_ff @(posedge clk_i) begin
     if (look) begin
-      id_q   <= in_id_i;
-      line_q <= in_line_i;
+      look_id_q   <= in_id_i;
+      look_line_q <= in_line_i;
+    end
+    if (match) begin
+      id_q   <= look_id_q;
+      line_q <= look_line_q;
     end
   end
 
   line_tags #(.Sets(Sets), .Ways(Ways), .TagW(TagW)) u_tags (
     .clk_i, .rst_ni, .ready_o(emptied),
     .look_i(look), .look_set_i(set_of(in_line_i)), .look_tag_i(tag_of(in_line_i)),
-    .held_i(looked), .found_o(found), .found_way_o(found_way), .use_i(hit_o),
-    .fill_i(fill), .fill_set_i(set_of(fill_line_q)), .fill_tag_i(tag_of(fill_line_q)),
+    .match_i(match), .held_i(looked), .found_o(found), .found_way_o(found_way), .use_i(hit_o),
+    .choose_i(fill_load), .choose_set_i(set_of(fill_line)), .fill_i(fill), .fill_set_i(set_of(fill_line_q)), .fill_tag_i(tag_of(fill_line_q)),
     .fill_way_o(fill_way)
   );
 
@@ -122,11 +132,10 @@ module line_cache
   );
 
   // ---- Misses ----
-  line_no_t fill_line;
   id_t      head, wake_id, wake_next;
   line_misses #(.id_t(id_t), .Misses(Misses)) u_misses (
     .clk_i, .rst_ni,
-    .look_i(look), .look_line_i(in_line_i),
+    .look_i(match), .look_line_i(look_line_q),
     .add_i(miss_o), .add_id_i(id_q), .add_line_i(line_q), .new_o(is_new), .new_miss_o(new_miss),
     .find_i(fill_i.miss), .find_line_o(fill_line),
     .end_i(fill), .end_miss_i(fill_miss_q), .end_head_o(head),
@@ -143,7 +152,10 @@ module line_cache
   place_t fill_place;
   always_comb begin
     fill_free = 1'b0;
-    if (filled) fill_free = wake_room && !wake_busy && !(looked && set_of(line_q) == set_of(fill_line_q));
+    if (filled) begin
+      fill_free = wake_room && !wake_busy && !(looking && set_of(look_line_q) == set_of(fill_line_q))
+                  && !(looked && set_of(line_q) == set_of(fill_line_q));
+    end
   end
   assign fill       = filled && fill_free;
   assign fill_place = {set_of(fill_line_q), fill_way};

@@ -9,7 +9,7 @@
 // L2Lines are the lines of all banks together, or 0: then a bank has only BufferLines, through
 // which lines pass.
 // base_i is the address of line 0, an image's start, and stands still while a line is under way.
-// A line of the second cache is offered to its client 4 cycles after the request was offered.
+// A line of the second cache is offered to its client 5 cycles after the request was offered.
 module line_memory
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(

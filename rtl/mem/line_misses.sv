@@ -6,7 +6,8 @@
 //          from now on and is to be asked for.
 //   end    the number is free again; its chain goes to who serves it
 // The last to come is the first in a chain. Whoever waits in a chain is not added before it was
-// served. A line is not looked up in the cycle in which it ends.
+// served. A line is not looked up in the cycle in which it ends. A number is free for a line that
+// is added three cycles after its end.
 module line_misses
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
@@ -40,7 +41,8 @@ module line_misses
   end
 
   typedef logic [$clog2(Misses)-1:0] number_t;
-  logic [Misses-1:0] used_q, match_q, pick;
+  logic [Misses-1:0] used_q, match_q;
+  logic [Misses-1:0] free_q, rest;       // the number that a new line takes, one bit; free_q or used
   line_no_t          line_q [Misses];    // all compared at once
   line_no_t          find_q [Misses];    // the same, where one is read
   id_t               head_q [Misses];
@@ -66,33 +68,35 @@ module line_misses
     if (look_i) begin
       for (int unsigned i = 0; i < Misses; i++) begin
         match_q[i] <= 1'b0;
-        if (new_o && pick[i]) match_q[i] <= add_line_i == look_line_i;
+        if (new_o && free_q[i]) match_q[i] <= add_line_i == look_line_i;
         else if (used_q[i]) match_q[i] <= same(line_q[i], look_line_i);
       end
     end
   end
 
-  // ---- Add: to the line that matches, or to the first free number ----
+  // ---- Add: to the line that matches, or to the free number that is held ready ----
   assign new_o      = add_i && match_q == '0;
   assign new_miss_o = miss_t'(at);
-  always_comb begin
-    pick = '0;
-    at   = '0;
-    if (add_i) begin
-      pick = (match_q != '0) ? match_q : ~used_q & (used_q + 1'b1);
-      for (int unsigned i = 0; i < Misses; i++) if (pick[i]) at |= number_t'(i);
-    end
+  function automatic number_t number(logic [Misses-1:0] one);
+    number = '0;
+    for (int unsigned i = 0; i < Misses; i++) if (one[i]) number |= number_t'(i);
+  endfunction
+  assign at = number(match_q) | ((match_q == '0) ? number(free_q) : '0);
+  assign rest = used_q | free_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) free_q <= '0;
+    else if (new_o || free_q == '0) free_q <= ~rest & (rest + 1'b1);
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) used_q <= '0;
     else begin
-      if (new_o) used_q <= used_q | pick;
+      if (new_o) used_q <= rest;
       if (end_i) used_q[finish] <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
     if (new_o) begin
-      for (int unsigned i = 0; i < Misses; i++) if (pick[i]) line_q[i] <= add_line_i;
+      for (int unsigned i = 0; i < Misses; i++) if (free_q[i]) line_q[i] <= add_line_i;
       find_q[at] <= add_line_i;
     end
     if (add_i) begin
@@ -108,7 +112,7 @@ module line_misses
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni && add_i) begin
-      assert (!new_o || used_q != '1) else $error("no number is free");
+      assert (!new_o || free_q != '0) else $error("no number is free");
       assert ($onehot0(match_q)) else $error("a line is waited for twice");
     end
     if (rst_ni && end_i) assert (used_q[finish]) else $error("nobody waits for this line");

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tags of a cache of lines: Sets sets of Ways ways, and which way of a set to replace.
-//   look   cycle 0: a set's tags out of the memory; cycle 1 and until the next look, while held_i:
-//          found_o, and the way
+//   look   cycle 0: a set's tags out of the memory
+//   match  a cycle later or more: they are compared, three bits each
+//          from the cycle behind that until the next match, while held_i: found_o, and the way
+//   choose a cycle before a fill or more: the way to replace -> fill_way_o, until the next
 //   fill   the tag replaces that of fill_way_o, all in one cycle
-// Replaced is the way that a tree of one bit a fork points to: each use turns the forks above it
-// away from it. With two ways that is the one used longer ago, and an empty way comes first.
+// A look takes 2 cycles; one may come with the match of the one before. Replaced is the way that a tree
+// of one bit a fork points to: each use turns the forks above it away from it. With two ways that is the
+// one used longer ago, and an empty way comes first.
 // A set is not looked at in the cycle in which it is filled. A use in the cycle of a fill does not
 // turn the forks.
 // After a reset the sets are emptied, one a cycle; only then ready_o, and a look or a fill.
@@ -24,11 +27,14 @@ module line_tags
   input  logic            look_i,
   input  logic [SetW-1:0] look_set_i,
   input  logic [TagW-1:0] look_tag_i,
+  input  logic            match_i,
   input  logic            held_i,
   output logic            found_o,
   output logic [WayW-1:0] found_way_o,
   input  logic            use_i,         // what was found is used
 
+  input  logic            choose_i,
+  input  logic [SetW-1:0] choose_set_i,
   input  logic            fill_i,
   input  logic [SetW-1:0] fill_set_i,
   input  logic [TagW-1:0] fill_tag_i,
@@ -54,7 +60,8 @@ module line_tags
   end
 
   // ---- Tags ----
-  logic [SetW-1:0] write_set, set_q;
+  localparam int unsigned Groups = (TagW + 2) / 3;
+  logic [SetW-1:0] write_set, look_set_q, set_q;
   logic [TagW-1:0] tag_q;
   logic [Ways-1:0] found;
   logic            write;
@@ -62,22 +69,33 @@ module line_tags
   assign write_set = ready_o ? fill_set_i : emptied_q[SetW-1:0];
   always_ff @(posedge clk_i) begin
     if (look_i) begin
-      set_q <= look_set_i;
-      tag_q <= look_tag_i;
+      look_set_q <= look_set_i;
+      tag_q      <= look_tag_i;
     end
+    if (match_i) set_q <= look_set_q;
   end
   for (genvar w = 0; w < Ways; w++) begin : g_way
     entry_t way_q [Sets];
     entry_t look_q;
+    logic                full_q;
+    logic [Groups-1:0]   same_q;
+    logic [3*Groups-1:0] differ;
+    assign differ = (3*Groups)'(look_q.tag) ^ (3*Groups)'(tag_q);
     always_ff @(posedge clk_i) begin
       if (write) begin
         if (!ready_o || fill_way_o == WayW'(w)) way_q[write_set] <= '{full: ready_o, tag: fill_tag_i};
       end
       if (look_i) look_q <= way_q[look_set_i];
     end
+    always_ff @(posedge clk_i) begin
+      if (match_i) begin
+        full_q <= look_q.full;
+        for (int unsigned g = 0; g < Groups; g++) same_q[g] <= differ[3*g +: 3] == '0;
+      end
+    end
     always_comb begin
       found[w] = 1'b0;
-      if (held_i) found[w] = look_q.full && look_q.tag == tag_q;
+      if (held_i) found[w] = full_q && (&same_q);
     end
   end
   assign found_o = |found;
@@ -87,7 +105,7 @@ module line_tags
   end
 
   // ---- Forks: number 1 is the root, n forks into 2n and 2n+1, Ways + w is way w ----
-  logic [Ways-1:1] points;       // of the set to fill: to the upper half
+  logic [Ways-1:1] points;       // of the set to choose from: to the upper half
   logic [WayW-1:0] used_way;
   logic [SetW-1:0] turn_set;
   logic            turn;
@@ -105,14 +123,15 @@ module line_tags
         if (!ready_o || above) points_q[turn_set] <= ready_o && !upper;
       end
     end
-    assign points[n] = points_q[fill_set_i];
+    assign points[n] = points_q[choose_set_i];
   end
-  always_comb begin
+  function automatic logic [WayW-1:0] pointed(logic [Ways-1:1] to);
     logic [WayW:0] n;
     n = 1;
-    if (fill_i) begin
-      for (int unsigned l = 0; l < WayW; l++) n = {n[WayW-1:0], points[n[WayW-1:0]]};
-    end
-    fill_way_o = n[WayW-1:0];
+    for (int unsigned l = 0; l < WayW; l++) n = {n[WayW-1:0], to[n[WayW-1:0]]};
+    return n[WayW-1:0];
+  endfunction
+  always_ff @(posedge clk_i) begin
+    if (choose_i) fill_way_o <= pointed(points);
   end
 endmodule

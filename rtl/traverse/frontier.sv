@@ -5,7 +5,7 @@
 // none waits, or none may be read any more: then its rays start at the root, as they do where its
 // bounds are not valid or the root is a leaf.
 //   ask     a node, by the number of its tile
-//   split   four cycles a node: its children into tile_box
+//   split   four cycles a node: its children through node_parts into tile_box
 //   met     as they come out: appended to the tile's kept parts, or to those that wait
 //   judge   with the last: too many, then the lists are as they were, and the node is kept; else
 //           the new ones count
@@ -115,8 +115,15 @@ module frontier
     if (!rst_ni) split_q <= '0;
     else if (node_valid_i) split_q <= split_q + 1'b1;
   end
+  logic [2:0] live;    // children before and in node_parts, and of tile_box
+  logic [2:1] live_q;
+  assign live = {live_q, node_valid_i};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) live_q <= '0;
+    else live_q <= live[1:0];
+  end
   node_parts u_parts (
-    .valid_i(node_valid_i), .node_i, .index_i(index_q[node_tile]), .child_i(split_q), .part_o(part), .bad_o(bad)
+    .clk_i, .en_i(live[1:0]), .node_i, .index_i(index_q[node_tile]), .child_i(split_q), .part_o(part), .bad_o(bad)
   );
 
   // ---- The box against the tile's rays, and what is needed of the child behind that ----
@@ -125,12 +132,13 @@ module frontier
     logic     last;
   } step_t;
   logic       box_valid, meets;
+  step_t      step_q [2];     // of the stages of node_parts
   typedef logic [$clog2(Ring)-1:0] place_t;
   step_t      side_q [Ring];
   place_t     place_q;
   part_t      parts_q [Ring];
   tile_box #(.Stages(Stages)) u_tile_box (
-    .clk_i, .rst_ni, .in_valid_i(node_valid_i), .bounds_i(bounds_q[node_tile]), .eye_i,
+    .clk_i, .rst_ni, .in_valid_i(live[2]), .bounds_i(bounds_q[step_q[1].tile]), .eye_i,
     .box_i(part.box), .out_valid_o(box_valid), .meets_o(meets)
   );
   always_ff @(posedge clk_i) begin
@@ -138,8 +146,10 @@ module frontier
     else place_q <= place_q + 1'b1;
   end
   always_ff @(posedge clk_i) begin
-    if (node_valid_i) begin
-      side_q[place_q]  <= '{tile: node_tile, last: node_ready_o};
+    if (live[0]) step_q[0] <= '{tile: node_tile, last: node_ready_o};
+    if (live[1]) step_q[1] <= step_q[0];
+    if (live[2]) begin
+      side_q[place_q]  <= step_q[1];
       parts_q[place_q] <= part;
     end
   end

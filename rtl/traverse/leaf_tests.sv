@@ -4,7 +4,7 @@
 // below primitives_i is ErrPrimitive, and its context gets nothing.
 //   line  -> test    one a cycle, from a register
 //   over_i           tests end in any order, one of those that were missed and one of the others
-//                    in a cycle; the latter wait in a queue
+//                    in a cycle; the latter wait in a queue where both come
 //   leaf_o           the last test of a context's leaf is over, or it had none
 // A context has one leaf under way. A leaf without a test waits for a cycle in which no test ends.
 // Model: cpp_model/traverse/leaf_tests.hpp, equal bit for bit.
@@ -76,23 +76,22 @@ module leaf_tests
   end
 
   // ---- One end a cycle ----
-  logic divided_valid, none_over;
+  logic divided_valid, none_over, over, pair, half;
   ctx_t divided_ctx, over_ctx;
 
   stream_fifo #(.data_t(ctx_t), .Depth(2 * Contexts)) u_divided (
     .clk_i, .rst_ni, .used_o(),
-    .valid_i(over_i[1]), .ready_o(), .data_i(over_ctx_i[1]),
-    .valid_o(divided_valid), .ready_i(!over_i[0]), .data_o(divided_ctx)
+    .valid_i(&over_i), .ready_o(), .data_i(over_ctx_i[1]),
+    .valid_o(divided_valid), .ready_i(over_i == '0), .data_o(divided_ctx)
   );
-  assign none_over    = none && !over_i[0] && !divided_valid;
-  assign over_ctx     = over_i[0] ? over_ctx_i[0] : divided_ctx;
+  assign over         = over_i != '0 || divided_valid;
+  assign none_over    = none && !over;
+  assign over_ctx     = over_i[0] ? over_ctx_i[0] : over_i[1] ? over_ctx_i[1] : divided_ctx;
   assign line_ready_o = wrong || none_over || (issue && issued && (!both || second_q));
 
   // pair_q: the leaf has two tests. half_q: one of the two is over.
   logic [Contexts-1:0] half_q;
   logic                pair_q [Contexts];
-  logic                over, pair, half;
-  assign over = over_i[0] || divided_valid;
   assign pair = pair_q[IdxW'(over_ctx)];
   assign half = half_q[IdxW'(over_ctx)];
 
@@ -101,7 +100,7 @@ module leaf_tests
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) half_q <= '0;
-    else if (over) half_q[IdxW'(over_ctx)] <= pair && !half;
+    else if (over && pair) half_q <= half_q ^ (Contexts'(1) << IdxW'(over_ctx));
   end
 
   assign leaf_valid_o = over ? !pair || half : none_over;

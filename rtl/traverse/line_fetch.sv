@@ -3,7 +3,7 @@
 // any order. They come from either of two steps and wait in a queue, so that whoever is sent here is
 // taken. An index behind the section raises fault_o, and its context gets nothing. A RefTile goes to a
 // line that was written here, if there are such (Kept).
-// From visit_valid_i to out_valid_o: 4 cycles for a line that the cache holds, 3 for a kept one.
+// From visit_valid_i to out_valid_o: 5 cycles for a line that the cache holds, 3 for a kept one.
 module line_fetch
   import castray_cfg_pkg::*, castray_pkg::*;
 #(

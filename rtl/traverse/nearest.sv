@@ -3,7 +3,8 @@
 // equal with a lower primitive number: the outcome does not depend on the order of the results.
 // A new ray starts with its tmax and number 0, so a hit at exactly tmax is none. Until a hit is found
 // u and v read as 0: the memories still hold those of the ray before.
-// One new ray or one result a cycle (never both); reads are combinational. reach: what lies beyond
+// One new ray or one result a cycle (never both); reads are combinational. u and v can be read two
+// cycles after a result, all else one: no ray leaves a lane sooner. reach: what lies beyond
 // it, in units of a dist_t, is behind the nearest hit.
 // Model: cpp_model/traverse/nearest.hpp, equal bit for bit.
 module nearest
@@ -44,7 +45,7 @@ module nearest
     prim_t           number;
     logic [LowW-1:0] t_low;
   } rest_t;
-  typedef logic signed [$bits(t_t)+PrimW-1:0] order_t;   // a distance, then a number
+  typedef logic [$bits(t_t)+PrimW-1:0] order_t;   // a distance, its sign turned, then a number
 
   reach_t reach_q [Contexts];
   rest_t  rest_q  [Contexts];
@@ -56,28 +57,44 @@ module nearest
   t_t              t_new;
   logic            write;
 
-  assign t_new = start_i ? tmax_i : result_i.t;
-  assign at    = start_i ? start_ctx_i : IdxW'(result_i.ctx);
+  function automatic order_t turned(order_t x);
+    return x ^ {1'b1, {$bits(order_t)-1{1'b0}}};
+  endfunction
+
+  assign t_new = result_valid_i ? result_i.t : tmax_i;
+  assign at    = result_valid_i ? IdxW'(result_i.ctx) : start_ctx_i;
   always_comb begin
     held  = '0;
     fresh = '0;
     write = 1'b0;
-    if (result_valid_i && !start_i) begin
-      held  = {reach_q[at].t_high, rest_q[at].t_low, rest_q[at].number};
-      fresh = {result_i.t, result_i.number};
+    if (result_valid_i) begin
+      held  = turned({reach_q[at].t_high, rest_q[at].t_low, rest_q[at].number});
+      fresh = turned({result_i.t, result_i.number});
       write = fresh < held;
     end
   end
 
+  // u and v are written a cycle later.
+  logic            write_q;
+  logic [IdxW-1:0] write_at_q;
+  bary_t           write_u_q, write_v_q;
   always_ff @(posedge clk_i) begin
-    if (start_i) begin
-      reach_q[at] <= '{found: 1'b0, t_high: t_new[LowW +: DistW+1]};
-      rest_q[at]  <= '{kind: KindTriangle, number: '0, t_low: t_new[LowW-1:0]};
-    end else if (write) begin
-      reach_q[at] <= '{found: 1'b1, t_high: t_new[LowW +: DistW+1]};
-      rest_q[at]  <= '{kind: result_i.kind, number: result_i.number, t_low: t_new[LowW-1:0]};
-      u_q[at]     <= result_i.u;
-      v_q[at]     <= result_i.v;
+    write_q <= write;
+    if (result_valid_i) begin
+      write_at_q <= IdxW'(result_i.ctx);
+      write_u_q  <= result_i.u;
+      write_v_q  <= result_i.v;
+    end
+    if (write_q) begin
+      u_q[write_at_q] <= write_u_q;
+      v_q[write_at_q] <= write_v_q;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start_i || write) begin
+      reach_q[at] <= '{found: result_valid_i, t_high: t_new[LowW +: DistW+1]};
+      rest_q[at]  <= '{kind: result_valid_i ? result_i.kind : KindTriangle, number: result_valid_i ? result_i.number : '0,
+                       t_low: t_new[LowW-1:0]};
     end
   end
 

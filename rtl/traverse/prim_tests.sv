@@ -6,7 +6,8 @@
 //   test -> ray_prim --accepted--> queue -> (hit unit) --beyond tmin--> nearest
 //                \--> over_o[0]                   \--> over_o[1]
 //
-// One test a cycle. over_o: a test of over_ctx_o is over, and so is its result from the next cycle on.
+// One test a cycle. over_o: a test of over_ctx_o is over: its result can be read from the next cycle on, u and
+// v of it from the one behind that.
 // Model: cpp_model/traverse/prim_tests.hpp, equal bit for bit.
 module prim_tests
   import castray_cfg_pkg::*, castray_pkg::*;

@@ -49,14 +49,14 @@ module step
   output error_t  fault_o,
 
   input  ctx_t    count_ctx_i,
-  output steps_t  count_o          // nodes it visited
+  output steps_t  count_o          // nodes that it visited and that are over
 );
   localparam int unsigned IdxW       = (Contexts > 1) ? $clog2(Contexts) : 1;
   localparam int unsigned QueueDepth = (Contexts > 1) ? Contexts : 2;
   localparam ref_t   Nowhere   = '{kind: RefNone, index: '0};
 
-  // ---- Who waits for a decision: leaves, and contexts whose frame was dropped ----
-  logic again, again_valid, again_ready, leaf_valid, leaf_ready;
+  // ---- Who waits for a decision: leaves that are not decided at once, and contexts whose frame was dropped ----
+  logic again, again_valid, again_ready, leaf_valid, leaf_ready, leaf_now;
   ctx_t again_ctx, leaf_ctx;
 
   stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_again (
@@ -66,7 +66,7 @@ module step
   );
   stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_leaves (
     .clk_i, .rst_ni, .used_o(),
-    .valid_i(leaf_valid_i), .ready_o(), .data_i(leaf_ctx_i),
+    .valid_i(leaf_valid_i && !leaf_now), .ready_o(), .data_i(leaf_ctx_i),
     .valid_o(leaf_valid), .ready_i(leaf_ready), .data_o(leaf_ctx)
   );
 
@@ -74,6 +74,7 @@ module step
   typedef struct packed {
     ctx_t ctx;
     logic fresh;      // a new ray
+    logic node;       // comes from a node
   } choice_t;
   choice_t s0, s1_q;
   visits_t visits_q;  // of s1
@@ -81,14 +82,16 @@ module step
 
   assign again_ready   = !node_valid_i;
   assign leaf_ready    = again_ready && !again_valid;
-  assign start_ready_o = leaf_ready && !leaf_valid;
-  assign s0_valid      = node_valid_i || again_valid || leaf_valid || start_valid_i;
+  assign leaf_now      = leaf_ready && !leaf_valid;
+  assign start_ready_o = leaf_now && !leaf_valid_i;
+  assign s0_valid      = node_valid_i || again_valid || leaf_valid || leaf_valid_i || start_valid_i;
 
   always_comb begin
-    s0 = '{ctx: start_ctx_i, fresh: 1'b1};
-    if (node_valid_i) s0 = '{ctx: node_ctx_i, fresh: 1'b0};
-    else if (again_valid) s0 = '{ctx: again_ctx, fresh: 1'b0};
-    else if (leaf_valid) s0 = '{ctx: leaf_ctx, fresh: 1'b0};
+    s0 = '{ctx: start_ctx_i, fresh: 1'b1, node: 1'b0};
+    if (node_valid_i) s0 = '{ctx: node_ctx_i, fresh: 1'b0, node: 1'b1};
+    else if (again_valid) s0 = '{ctx: again_ctx, fresh: 1'b0, node: 1'b0};
+    else if (leaf_valid) s0 = '{ctx: leaf_ctx, fresh: 1'b0, node: 1'b0};
+    else if (leaf_valid_i) s0 = '{ctx: leaf_ctx_i, fresh: 1'b0, node: 1'b0};
   end
 
   always_ff @(posedge clk_i) begin
@@ -110,26 +113,32 @@ module step
 
   // ---- s1 ----
   frame_t  top;
-  logic    empty, full, forward, leave, back, last, finish, overflow, is_node, over;
+  logic    empty, full, forward, leave, pop, beyond, back, last, finish, overflow, is_node, over;
   steps_t  nodes, nodes_q [Contexts];
   ref_t    target;
 
+  // top.e0.least > reach_i, as the carry of a sum.
+  logic [DistW:0] both;
+  assign both   = {1'b0, top.e0.least} + {1'b0, ~reach_i};
+  assign beyond = both[DistW];
+
   assign ask_ctx_o = s1_q.ctx;
   always_comb begin
-    {forward, leave, finish, again, back, last, overflow, is_node, over} = '0;
+    {forward, leave, finish, pop, again, back, last, overflow, is_node, over} = '0;
     target = Nowhere;
     nodes  = '0;
     if (s1_valid_q) begin
       forward  = visits_q.e0.target.kind != RefNone;
       leave    = forward && visits_q.e1.target.kind != RefNone;   // others are left behind
       finish   = !forward && (empty || stop_i);
-      again    = !forward && !finish && top.e0.least > reach_i;
-      back     = !forward && !finish && !again;
+      pop      = !forward && !finish;
+      again    = pop && beyond;
+      back     = pop && !beyond;
       last     = top.e1.target.kind == RefNone;                    // the frame's only entry
       overflow = leave && full;
       target   = forward ? visits_q.e0.target : top.e0.target;
       is_node  = (forward || back) && target.kind != RefLeaf;
-      if (!s1_q.fresh) nodes = nodes_q[IdxW'(s1_q.ctx)];
+      if (!s1_q.fresh) nodes = nodes_q[IdxW'(s1_q.ctx)] + steps_t'(s1_q.node);
       over     = is_node && nodes >= limit_i;
     end
   end
@@ -144,7 +153,7 @@ module step
 
   assign count_o = nodes_q[IdxW'(count_ctx_i)];
   always_ff @(posedge clk_i) begin
-    if (s1_valid_q) nodes_q[IdxW'(s1_q.ctx)] <= nodes + steps_t'(is_node);
+    if (s1_valid_q) nodes_q[IdxW'(s1_q.ctx)] <= nodes;
   end
 
   assign out_ctx_o    = s1_q.ctx;

@@ -24,22 +24,20 @@ module tile_bounds
   localparam int unsigned Drop = ShearFrac - TileSlopeFrac;
   typedef logic signed [ShearFrac+1:0] wide_t;
 
-  // ---- The ray's slopes, and their range so far ----
+  // ---- The range of sx and sy so far; a tile whose rays differ in neg has no bounds ----
   typedef struct packed {
     shear_t least, most;
   } range_t;
   logic [1:0] count_q;
   logic       first, last, take, same;
+  logic       full_q;       // all four are in
   logic       valid_q, neg_q;
   axis_t      axis_q;
   range_t     x_q, y_q, x, y;
-  shear_t     slope_x, slope_y;
 
   assign first   = count_q == 2'd0;
   assign last    = count_q == 2'd3;
   assign take    = in_valid_i && in_ready_o;
-  assign slope_x = in_i.neg ? -in_i.sx : in_i.sx;
-  assign slope_y = in_i.neg ? -in_i.sy : in_i.sy;
   assign same    = in_i.valid && (first || (valid_q && in_i.axis == axis_q && in_i.neg == neg_q));
 
   function automatic range_t widened(range_t range, shear_t slope, logic alone);
@@ -52,14 +50,19 @@ module tile_bounds
     x = '0;
     y = '0;
     if (in_valid_i) begin
-      x = widened(x_q, slope_x, first);
-      y = widened(y_q, slope_y, first);
+      x = widened(x_q, in_i.sx, first);
+      y = widened(y_q, in_i.sy, first);
     end
   end
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) count_q <= '0;
-    else if (take) count_q <= count_q + 1'b1;
+    if (!rst_ni) begin
+      count_q <= '0;
+      full_q  <= 1'b0;
+    end else begin
+      if (take) count_q <= count_q + 1'b1;
+      if (take || out_ready_i) full_q <= take && last;
+    end
   end
   always_ff @(posedge clk_i) begin
     if (take) begin
@@ -71,32 +74,25 @@ module tile_bounds
     end
   end
 
-  // ---- Rounded outward ----
-  function automatic tile_slope_t low_of(range_t range);
+  // ---- Of the slopes, rounded outward; -s is ~s + 1 ----
+  function automatic tile_slope_t low_of(range_t range, logic neg);
     shear_t least;
-    least = range.least;
-    return tile_slope_t'((wide_t'(least) - wide_t'(1)) >>> Drop);
+    least = neg ? ~range.most : range.least;
+    return tile_slope_t'((wide_t'(least) - wide_t'(!neg)) >>> Drop);
   endfunction
-  function automatic tile_slope_t high_of(range_t range);
+  function automatic tile_slope_t high_of(range_t range, logic neg);
     shear_t most;
-    most = range.most;
-    return tile_slope_t'((wide_t'(most) + (wide_t'(1) <<< Drop)) >>> Drop);
+    most = neg ? ~range.least : range.most;
+    return tile_slope_t'((wide_t'(most) + (wide_t'(1) <<< Drop) + wide_t'(neg)) >>> Drop);
   endfunction
 
-  logic         out_ready;
-  tile_bounds_t bounds;
   always_comb begin
-    bounds = '0;
-    if (in_valid_i && last) begin
-      bounds = '{valid: same, axis: axis_q, neg: neg_q,
-                 x_low: low_of(x), x_high: high_of(x), y_low: low_of(y), y_high: high_of(y)};
+    out_o = '0;
+    if (full_q) begin
+      out_o = '{valid: valid_q, axis: axis_q, neg: neg_q,
+                x_low: low_of(x_q, neg_q), x_high: high_of(x_q, neg_q), y_low: low_of(y_q, neg_q), y_high: high_of(y_q, neg_q)};
     end
   end
-  assign in_ready_o = !last || out_ready;
-  pipe_stage #(.data_t(tile_bounds_t)) u_out (
-    .clk_i, .rst_ni,
-    .valid_i(in_valid_i && last), .ready_o(out_ready),
-    .data_i(bounds),
-    .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o)
-  );
+  assign out_valid_o = full_q;
+  assign in_ready_o  = !full_q || out_ready_i;
 endmodule

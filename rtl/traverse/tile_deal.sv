@@ -46,17 +46,24 @@ module tile_deal
   localparam int unsigned CntW = $clog2(Low + (1 << (2 * TileLog2)) + 1);
 
   // ---- Empty tiles, and those that wait ----
+  typedef struct packed {
+    started_t        tile;
+    logic [CntW-1:0] rays;
+  } waiting_t;
   logic     fill, queue_ready, queue_valid, leave;
+  waiting_t entered, head;
   started_t tile;
+  assign entered = '{tile: in_i, rays: CntW'(in_i.tile.width) * CntW'(in_i.tile.height)};
+  assign tile    = head.tile;
   assign fill         = in_i.start == TileEmpty && !direct_i && !each_miss_i;
   assign fill_valid_o = in_valid_i && fill;
   assign fill_slot_o  = in_i.tile.slot;
   assign in_ready_o   = fill ? fill_ready_i : queue_ready;
   assign idle_o       = !queue_valid;
-  stream_fifo #(.data_t(started_t), .Depth(DealTiles)) u_queue (
+  stream_fifo #(.data_t(waiting_t), .Depth(DealTiles)) u_queue (
     .clk_i, .rst_ni, .used_o(),
-    .valid_i(in_valid_i && !fill), .ready_o(queue_ready), .data_i(in_i),
-    .valid_o(queue_valid), .ready_i(leave), .data_o(tile)
+    .valid_i(in_valid_i && !fill), .ready_o(queue_ready), .data_i(entered),
+    .valid_o(queue_valid), .ready_i(leave), .data_o(head)
   );
 
   // ---- Room ----
@@ -64,15 +71,13 @@ module tile_deal
   logic [Lanes-1:0] room, chosen;
   lane_no_t         next_q, lane;
   logic             any, empty, deal;
-  logic [CntW-1:0]  rays;
-  assign rays = CntW'(tile.tile.width) * CntW'(tile.tile.height);
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
     assign room[i]   = held_q[i] <= CntW'(Low);
     assign chosen[i] = lane == lane_no_t'(i);
     always_ff @(posedge clk_i) begin
       if (!rst_ni) held_q[i] <= '0;
       else if (left_i[i] || (deal && chosen[i]))
-        held_q[i] <= held_q[i] + ((deal && chosen[i]) ? rays : '0) - CntW'(left_i[i]);
+        held_q[i] <= held_q[i] + ((deal && chosen[i]) ? head.rays : '0) - CntW'(left_i[i]);
     end
   end
   always_comb begin

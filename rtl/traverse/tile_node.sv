@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of a tile's frontier as nodes of a ray's kind, up to four parts each, on one grid.
 //   measure   a part a cycle: the least and the greatest corner
-//   grid      origin = least, exp = the smallest with (greatest - least) >> exp <= 254
-//   planes    a part a cycle, rounded outward: low down, high up; a full node is written
-// 2 n + 1 cycles for n parts; none for n = 0.
+//   extent    origin = least, extent = greatest - least
+//   grid      exp = the smallest with extent >> exp <= 254, in two cycles
+//   planes    a part a cycle, from the origin; a cycle later rounded outward: low down, high up; a full node
+//             is written
+// 2 n + 4 cycles for n parts; none for n = 0.
 // Model: cpp_model/traverse/tile_node.hpp, equal bit for bit.
 module tile_node
   import castray_cfg_pkg::*;
@@ -24,24 +26,27 @@ module tile_node
   output logic       second_o,     // of the two nodes
   output node_t      node_o
 );
-  typedef enum logic [1:0] {Measure, Grid, Planes} phase_t;
+  typedef enum logic [2:0] {Measure, Extent, Top, Grid, Planes, Finish} phase_t;
   phase_t     phase_q;
   logic [2:0] at_q;
   logic       last;
 
   assign part_o = at_q;
   assign last   = 4'(at_q) + 4'd1 == parts_i;
-  assign done_o = phase_q == Planes && last;
+  assign done_o = phase_q == Finish;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || !start_i || done_o) begin
       phase_q <= Measure;
       at_q    <= '0;
     end else begin
       unique case (phase_q)
-        Measure: if (last) phase_q <= Grid;
-        default: phase_q <= Planes;
+        Measure: if (last) phase_q <= Extent;
+        Extent:  phase_q <= Top;
+        Top:     phase_q <= Grid;
+        Grid:    phase_q <= Planes;
+        default: if (last) phase_q <= Finish;
       endcase
-      at_q <= (last || phase_q == Grid) ? '0 : at_q + 1'b1;
+      at_q <= (last || phase_q inside {Extent, Top, Grid}) ? '0 : at_q + 1'b1;
     end
   end
 
@@ -64,30 +69,36 @@ module tile_node
   end
 
   // ---- Grid: the eight bits from the extent's top one down, or one less fine if they are all ones ----
-  function automatic plane_exp_t exp_of(coord_t extent);
+  function automatic plane_exp_t top_of(coord_t extent);
     plane_exp_t exp;
     exp = '0;
     for (int unsigned i = 1; i <= CoordFieldW - 8; i++) if (extent[i+7]) exp = plane_exp_t'(i);
+    return exp;
+  endfunction
+  function automatic plane_exp_t exp_of(coord_t extent, plane_exp_t exp);
     return ((extent >> exp) == coord_t'(255)) ? exp + 1'b1 : exp;
   endfunction
+  point_t     extent_q;
   plane_exp_t exp_x_q, exp_y_q, exp_z_q;
   always_ff @(posedge clk_i) begin
+    if (phase_q == Extent) extent_q <= '{x: high_q.x - low_q.x, y: high_q.y - low_q.y, z: high_q.z - low_q.z};
+    if (phase_q == Top) begin
+      exp_x_q <= top_of(extent_q.x);
+      exp_y_q <= top_of(extent_q.y);
+      exp_z_q <= top_of(extent_q.z);
+    end
     if (phase_q == Grid) begin
-      exp_x_q <= exp_of(high_q.x - low_q.x);
-      exp_y_q <= exp_of(high_q.y - low_q.y);
-      exp_z_q <= exp_of(high_q.z - low_q.z);
+      exp_x_q <= exp_of(extent_q.x, exp_x_q);
+      exp_y_q <= exp_of(extent_q.y, exp_y_q);
+      exp_z_q <= exp_of(extent_q.z, exp_z_q);
     end
   end
 
   // ---- Planes ----
-  function automatic plane_t down(coord_t p, coord_t origin, plane_exp_t exp);
-    coord_t away;
-    away = p - origin;
+  function automatic plane_t down(coord_t away, plane_exp_t exp);
     return plane_t'(away >> exp);
   endfunction
-  function automatic plane_t up(coord_t p, coord_t origin, plane_exp_t exp);
-    coord_t away;
-    away = p - origin;
+  function automatic plane_t up(coord_t away, plane_exp_t exp);
     return plane_t'(away >> exp) + plane_t'((away & ~({CoordFieldW{1'b1}} << exp)) != '0);
   endfunction
   child_box_t       box, none;
@@ -95,22 +106,39 @@ module tile_node
   ref_word_t  [2:0] words_q;
   ref_word_t        word;
   logic [3:0]       there;
+  point_t           near_q, far_q;     // the part's corners from the origin
+  ref_t             target_q;
+  logic             there_q, last_q;   // a part is here, the last one
+  logic [2:0]       place_q;           // its number
   assign none = '0;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) there_q <= 1'b0;
+    else there_q <= phase_q == Planes;
+  end
+  always_ff @(posedge clk_i) begin
+    if (phase_q == Planes) begin
+      near_q   <= '{x: low.x - low_q.x, y: low.y - low_q.y, z: low.z - low_q.z};
+      far_q    <= '{x: high.x - low_q.x, y: high.y - low_q.y, z: high.z - low_q.z};
+      target_q <= part_i.target;
+      last_q   <= last;
+      place_q  <= at_q;
+    end
+  end
   always_comb begin
     box = '0;
-    if (phase_q == Planes) begin
+    if (there_q) begin
       box = '{
-        x0: down(low.x, low_q.x, exp_x_q), x1: up(high.x, low_q.x, exp_x_q),
-        y0: down(low.y, low_q.y, exp_y_q), y1: up(high.y, low_q.y, exp_y_q),
-        z0: down(low.z, low_q.z, exp_z_q), z1: up(high.z, low_q.z, exp_z_q)
+        x0: down(near_q.x, exp_x_q), x1: up(far_q.x, exp_x_q),
+        y0: down(near_q.y, exp_y_q), y1: up(far_q.y, exp_y_q),
+        z0: down(near_q.z, exp_z_q), z1: up(far_q.z, exp_z_q)
       };
     end
   end
-  assign word = 32'(part_i.target);
+  assign word = 32'(target_q);
   always_ff @(posedge clk_i) begin
-    if (phase_q == Planes) begin
+    if (there_q) begin
       for (int unsigned i = 0; i < 3; i++) begin
-        if (at_q[1:0] == 2'(i)) begin
+        if (place_q[1:0] == 2'(i)) begin
           boxes_q[i] <= box;
           words_q[i] <= word;
         end
@@ -118,14 +146,14 @@ module tile_node
     end
   end
 
-  assign there    = 4'b1111 >> (2'd3 - at_q[1:0]);   // the node's parts, this one included
-  assign write_o  = phase_q == Planes && (last || at_q[1:0] == 2'd3);
-  assign second_o = at_q[2];
+  assign there    = 4'b1111 >> (2'd3 - place_q[1:0]);   // the node's parts, this one included
+  assign write_o  = there_q && (last_q || place_q[1:0] == 2'd3);
+  assign second_o = place_q[2];
   function automatic child_box_t box_at(int unsigned i);
-    return !there[i] ? none : (at_q[1:0] == 2'(i)) ? box : boxes_q[i % 3];
+    return !there[i] ? none : (place_q[1:0] == 2'(i)) ? box : boxes_q[i % 3];
   endfunction
   function automatic ref_word_t word_at(int unsigned i);
-    return !there[i] ? '0 : (at_q[1:0] == 2'(i)) ? word : words_q[i % 3];
+    return !there[i] ? '0 : (place_q[1:0] == 2'(i)) ? word : words_q[i % 3];
   endfunction
   always_comb begin
     node_o = '0;

@@ -24,5 +24,5 @@ case_of Integrate.FindsAPortMore differs docs/integrate.md 's/\.aclk(aclk)/&, .a
 case_of Integrate.FindsAParameterLess differs docs/integrate.md 's/, \.L2Kbytes(128)//' 'parameter L2Kbytes is missing'
 case_of Integrate.FindsAnotherCode differs docs/integrate.md 's/^| 8 | ErrReadBus/| 9 | ErrReadBus/' 'error code ErrReadBus: 9 here, 8 in castray_pkg'
 case_of Integrate.FindsAUnitLess differs docs/integrate.md '/^| isect\/shear/d' 'unit isect/shear is missing'
-case_of Integrate.FindsAnotherLatency differs rtl/isect/node_pipe.sv '/^module/,$!s/8/9/g' 'unit isect/node_pipe: .*its header has no'
+case_of Integrate.FindsAnotherLatency differs rtl/isect/node_pipe.sv '/^module/,$!s/7/9/g' 'unit isect/node_pipe: .*its header has no'
 ends

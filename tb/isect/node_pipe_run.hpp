@@ -5,10 +5,11 @@
 #include "dut.hpp"
 #include "node_cases.hpp"
 #include "signed_port.hpp"
+#include "visits_read.hpp"
 
 namespace castray::tb {
 
-inline constexpr int kLatency = 8;
+inline constexpr int kLatency = 7;
 
 inline void offer(Dut<Vnode_pipe>& dut, const NodeCase& c) {
   set_port(dut->in_ctx_i, c.ctx);
@@ -38,7 +39,7 @@ inline std::vector<visits_t> run(const std::vector<NodeCase>& cases, Stalls stal
       const NodeCase& c = *pending.front().second;
       pending.pop_front();
       bool illegal = false;
-      const visits_t want = node_pipe(c.ray, c.node, c.t, illegal), got = get_port<visits_t>(dut->out_o);
+      const visits_t want = node_pipe(c.ray, c.node, c.t, illegal), got = as_read(get_port<visits_t>(dut->out_o));
       EXPECT_TRUE(got == want && dut->error_o == illegal && dut->out_ctx_o == c.ctx)
           << to_text(c) << "\nmodel " << castray::to_text(want) << " error " << illegal << "\nRTL   " << castray::to_text(got)
           << " error " << int{dut->error_o};

@@ -171,25 +171,25 @@ TEST_P(LineCacheUnit, GivesEachItsLine) {
 INSTANTIATE_TEST_SUITE_P(Stalls, LineCacheUnit, testing::ValuesIn(kStallPatterns),
                          [](const auto& info) { return std::string(info.param.name); });
 
-TEST_F(LineCacheUnit, AHitTakesThreeCycles) {
+TEST_F(LineCacheUnit, AHitTakesFourCycles) {
   run({5});
   longest = 0;
   run({5});
   EXPECT_EQ(hits, 1);
-  EXPECT_EQ(longest, 3);
+  EXPECT_EQ(longest, 4);
 }
 
-TEST_F(LineCacheUnit, AMissTakesSixCyclesBesidesTheMemorys) {
+TEST_F(LineCacheUnit, AMissTakesSevenCyclesBesidesTheMemorys) {
   latency = {40, 40};
   run({5});
-  EXPECT_EQ(longest, 2 + 40 + 4) << "until the line is asked for, until it comes, until it is given";
+  EXPECT_EQ(longest, 3 + 40 + 4) << "until the line is asked for, until it comes, until it is given";
 }
 
 TEST_F(LineCacheUnit, LooksUpALineEachCycle) {
   run({5, 6, 7});
   run(std::vector<line_no_t>(900, 6));
   EXPECT_EQ(hits, 900);
-  EXPECT_LE(cycles, 900 + 4);
+  EXPECT_LE(cycles, 900 + 5);
 }
 
 TEST_F(LineCacheUnit, HitsPassMisses) {
@@ -207,7 +207,7 @@ TEST_F(LineCacheUnit, AllWaitForOneLine) {
   run(std::vector<line_no_t>(kIds, 77));
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(misses, long{kIds});
-  EXPECT_LE(cycles, 2 + 200 + 4 + long{kIds}) << "one each cycle once the line is there";
+  EXPECT_LE(cycles, 3 + 200 + 4 + long{kIds}) << "one each cycle once the line is there";
 }
 
 TEST_F(LineCacheUnit, JoinsALineAskedForTheCycleBefore) {
@@ -336,11 +336,11 @@ TEST_F(LineCacheUnit, HoldsAllItsLines) {
   EXPECT_EQ(misses, 0);
 }
 
-TEST_F(LineCacheUnit, HoldsThreeLinesWhileBlocked) {
+TEST_F(LineCacheUnit, HoldsFourLinesWhileBlocked) {
   run({5});
   shut = true;
   for (int i = 0; i < 30; ++i) cycle(5);
-  EXPECT_EQ(waiting_.size(), 3u) << "looked up, read, and in the output register";
+  EXPECT_EQ(waiting_.size(), 4u) << "looked up, compared, read, and in the output register";
   shut = false;
   run({});
 }

@@ -341,21 +341,21 @@ TEST(LineMemoryUnit, ReplacesTheWayThatTheTreePointsTo) {
   }
 }
 
-TEST(LineMemoryUnit, AHitTakesThreeCycles) {
+TEST(LineMemoryUnit, AHitTakesFourCycles) {
   LineMemory memory(kTwo);
   for (int round = 0; round < 2; ++round) {
     memory.wanted[1] = {7};
     memory.run();
   }
-  EXPECT_EQ(memory.given_at - memory.asked_at, 3);
+  EXPECT_EQ(memory.given_at - memory.asked_at, 4);
 }
 
-TEST(LineMemoryUnit, AMissTakesSevenCyclesBesidesTheMemorys) {
+TEST(LineMemoryUnit, AMissTakesEightCyclesBesidesTheMemorys) {
   LineMemory memory(kTwo);
   memory.latency = {60, 60};
   memory.wanted[2] = {7};
   memory.run();
-  EXPECT_EQ(memory.ports[1].last_beat - memory.asked_at, 2 + 60 + 3) << "until the last beat";
+  EXPECT_EQ(memory.ports[1].last_beat - memory.asked_at, 3 + 60 + 3) << "until the last beat";
   EXPECT_EQ(memory.given_at - memory.ports[1].last_beat, 5) << "until the line is given";
 }
 

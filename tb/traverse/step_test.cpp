@@ -60,13 +60,12 @@ class StepUnit : public testing::Test {
     dut->node_valid_i = 0;
     dut.settle();
   }
-  // A leaf's end is seen a cycle later: it was queued.
   void leaf_over(int ctx) {
     dut.tick();
     dut->leaf_valid_i = 1, dut->leaf_ctx_i = ctx;
     dut.tick();
     dut->leaf_valid_i = 0;
-    dut.tick();
+    dut.settle();
   }
   void expect_visit(int ctx, line_t index) {
     EXPECT_TRUE(dut->node_valid_o || dut->leaf_valid_o);

@@ -52,9 +52,11 @@ write_json NAME.json
 """
 MOST_LINES = 60000   # lines of a module's text, all below it counted
 # What is done to some modules before: products made of LUTs; a memory of which no place is read in the cycle in which it is
-# written, as the header of line_cache says, for the device has no other with two ports that both write or read.
+# written, as the headers of line_cache and frame_stack say, for the device has no other with two ports that both write or
+# read, and what stands in for the place's old word is not needed.
 TO_LUTS = "proc M\nopt_expr M\nopt_clean M\nwreduce M\nopt_clean M\nbooth M\ntechmap M/t:$mul\n"
-NO_COLLISIONS = "setattr -set no_rw_check 1 M/m:data_q\n"
+NO_COLLISIONS = "setattr -set no_rw_check 1 M/m:MEMORY\n"
+MEMORIES = {"line_cache": "data_q", "frame_stack": "frame_q"}
 
 
 def has_small_only(module):
@@ -67,8 +69,8 @@ def script(design, name, luts):
     """The commands of Yosys, the files' names left open."""
     before = []
     for module in map(design.modules.get, design.below(name)):
-        if module.unit == "line_cache":
-            before.append(NO_COLLISIONS.replace("M/", f"{module.name}/"))
+        if module.unit in MEMORIES:
+            before.append(NO_COLLISIONS.replace("MEMORY", MEMORIES[module.unit]).replace("M/", f"{module.name}/"))
         if module.unit in luts or has_small_only(module):
             before.append(TO_LUTS.replace(" M", f" {module.name}"))
     lines = sum(len(design.modules[n].lines) * times for n, times in design.instances(name).items())
