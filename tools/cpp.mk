@@ -50,9 +50,10 @@ SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
 MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(MORE_TESTS) $(SIM_TESTS),$(TESTS))
 
 # A test takes longer to compile than to run, so it is compiled without optimisation, unless it says
-# "// Runs long." or has a long form, "// Long: ...". What most of them include is compiled once, for each of the two: it halves the time of a small test.
+# "// Runs long." or has a long form, "// Long: ...", and is none of the simulator (tools/core.mk). What most of
+# them include is compiled once, for each of the two: it halves the time of a small test.
 # It names files by their whole paths, so it is of no use in another tree, where a cache of compilations would offer it.
-LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(call saying,Runs) $(call saying,Long))
+LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(filter-out $(SIM_TESTS),$(call saying,Runs) $(call saying,Long)))
 PCH_FLAGS    = -fpch-instantiate-templates -Xclang -fno-pch-timestamp $(VERILATED_INC)
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 TEST_PCHS   := $(BUILD)/gen/test-O0.pch $(BUILD)/gen/test-O2.pch
