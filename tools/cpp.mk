@@ -93,5 +93,5 @@ $(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_te
 
 ALL_TESTS := $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)
 
-# Scripts and whole frames first: they take longest.
+# Whole frames first: they take longest.
 TEST_PROGRAMS := $(wildcard tb/cli/*.sh) $(sort $(filter $(BUILD)/unit/frame/%,$(ALL_TESTS))) $(filter-out $(BUILD)/unit/frame/%,$(ALL_TESTS))
