@@ -22,28 +22,26 @@ with_waves     = $(filter $(CORES_CHECKED) %w,$(1))
 # Parameters of a variant by its name: l3c32t3p2m128 -> -GLanes=3 -GContexts=32 -GTileLog2=3 -GPorts=2 -GL2Kbytes=128
 core_parameters = $(join -GLanes= -GContexts= -GTileLog2= -GPorts= -GL2Kbytes=,$(wordlist 1,5,$(subst l,,$(subst m, ,$(subst p, ,$(subst t, ,$(subst c, ,$(1:%w=%))))))))
 
-# How a core is compiled that is to run long; tools/width/ builds some that run a few small frames.
-CORE_OPT ?= -O3 -march=native
+# How a core is compiled: those that only tests use so that to build and to run them takes least, others so that they run fastest.
+# What Verilator calls slow runs once.
+CORE_OPT ?= $(if $(filter $(filter-out $(CORES_RENDER),$(CORES_TEST)),$(1)),-O1,-O2)
+# The options of one file of a variant.
+core_opts = pch=$(lastword $(VERILATED_PCHS)); case $$file in *__Slow.cpp) opt=-O0 pch=$(firstword $(VERILATED_PCHS));; *__Trace__*) opt=-O1;; *) opt="$(call CORE_OPT,$(1))";; esac
 
-# The waveform writer first and with -O1: it is two thirds of the code and seldom runs. OPT_FAST,
-# because -CFLAGS -O3 has no effect: the generated makefile's own -Os comes after it.
-$(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt
+# The largest files first.
+$(BUILD)/verilated/%/Vcastray_core__ALL.a: $(CORE_RTL) tools/waivers.vlt | $(VERILATED_PCHS)
 	@mkdir -p $(@D)
-	@rm -f $(@D)/*.cpp
+	@rm -f $(@D)/*.cpp $(@D)/*.o $@
 	@echo "  VERILATE castray_core $*"
 	@$(VERILATOR) --cc $(VERILATOR_FLAGS) $(if $(filter $(CORES_CHECKED),$*),,--no-assert) $(if $(call with_waves,$*),--trace-fst,-GGateClocks=1\'b1) --prefix Vcastray_core --Mdir $(@D) \
 	  --output-split 15000 --top-module castray_core $(call core_parameters,$*) $(filter-out $(PACKAGES),$(CORE_RTL))
-	@cd $(@D) && for step in $(if $(call with_waves,$*),"$$(ls *__Trace__*.cpp | sed 's/cpp$$/o/' | tr '\n' ' ')=-O1") "Vcastray_core__ALL.a=$(CORE_OPT)"; do \
-	  MAKEFLAGS= make -f Vcastray_core.mk -j$(JOBS) $${step%%=*} CXX=$(CXX) USER_CPPFLAGS="-fPIC -fvisibility=hidden" \
-	    OPT_FAST="$${step#*=}" OPT_SLOW="-O0" OPT_GLOBAL="-O1"; \
-	  done | python3 $(CURDIR)/tools/steps.py --compiled "$$(ls *.cpp | wc -l)" "castray_core $*"
-	@touch $@
+	@ls -S $(@D)/*.cpp | xargs -P $(JOBS) -I{} bash -c 'file={}; $(call core_opts,$*); echo "compile -c $$file"; \
+	  exec $(VERILATED_CXX) $$opt -include-pch $$pch -c $$file -o $${file%.cpp}.o' | \
+	  python3 tools/steps.py --compiled "$$(ls $(@D)/*.cpp | wc -l)" "castray_core $*"
+	@ar rcs $@ $(@D)/*.o
 
 # The Verilator library for shared objects.
 VERILATED_PIC := $(addprefix $(BUILD)/obj/verilated-pic/,verilated.o verilated_dpi.o verilated_fst_c.o verilated_threads.o)
-$(BUILD)/obj/verilated-pic/%.o: $(VERILATOR_ROOT)/include/%.cpp
-	@mkdir -p $(@D)
-	@$(CXX) -std=c++20 -O2 -fPIC -fvisibility=hidden $(VERILATED_INC) -DVM_TRACE=1 -DVM_TRACE_FST=1 -c $< -o $@
 
 $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance.cpp $(wildcard sim/*.hpp) $(VERILATED_PIC) $(RECORDS)
 	@mkdir -p $(@D)
@@ -54,18 +52,15 @@ $(BUILD)/cores/%.so: $(BUILD)/verilated/%/Vcastray_core__ALL.a sim/core_instance
 SIM_PROGRAMS := castray castray_board make_scene bench
 SIM_SOURCES  := $(filter-out sim/core_instance.cpp $(SIM_PROGRAMS:%=sim/%.cpp),$(wildcard sim/*.cpp sim/uio/*.cpp))
 SIM_OBJECTS  := $(SIM_SOURCES:%.cpp=$(BUILD)/obj/%.o)
-# The command line and the bench run once; what they time is in the library. Not -O0: the linker may take an inline function
-# from any object.
-$(BUILD)/obj/sim/cli/%.o $(BUILD)/obj/sim/bench%.o: CXXFLAGS += -O1
+# What only reads arguments and calls the library, with templates that take long to optimise, is not optimised. The linker takes an
+# inline function from the first object that has it: so these come last in a link. The rest of the command line and the bench: -O1.
 CLI_OBJECTS  := $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/cli/*.cpp))
-CLI_PCH      := $(BUILD)/gen/cli.pch
-CLI_PCHED     = -fpch-instantiate-templates -Xclang -fno-pch-timestamp
-$(CLI_PCH): sim/cli/precompiled.hpp
-	@mkdir -p $(@D)
-	@CCACHE_DISABLE=1 $(CXX) $(CXXFLAGS) -O1 -fPIC $(CLI_PCHED) -x c++-header $< -o $@
-$(CLI_OBJECTS): $(CLI_PCH)
-$(CLI_OBJECTS): private CXXFLAGS += -include-pch $(CLI_PCH) $(CLI_PCHED)
--include $(CLI_PCH:.pch=.d)
+COMMANDS     := $(patsubst %,$(BUILD)/obj/sim/%.o,castray bench make_scene $(addprefix cli/,arguments board_run compare compile info program query ray render report))
+$(COMMANDS): private CXXFLAGS += -O0
+$(COMMANDS): private PCH := $(CLI_PCH)
+$(COMMANDS): | $(CLI_PCH)
+$(filter-out $(COMMANDS),$(CLI_OBJECTS)) $(patsubst %.cpp,$(BUILD)/obj/%.o,$(wildcard sim/bench_*.cpp)): private CXXFLAGS += -O1
+HOST_OBJECTS := $(SIM_OBJECTS) $(LIB_OBJECTS)
 SIM_LIBS     := $(LIBS) -ldl -rdynamic
 
 # The commit that a picture's metadata names; written anew only when it changed.
@@ -79,21 +74,21 @@ $(COMMIT): commit
 	@if cmp -s $@ $@.new; then rm $@.new; else mv $@.new $@; fi
 $(CLI_OBJECTS) $(BUILD)/obj/sim/bench.o: | $(COMMIT)
 
-$(BUILD)/castray: $(BUILD)/obj/sim/castray.o $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB)
-	@echo "  LINK  castray"
-	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
-$(BUILD)/bench: $(BUILD)/obj/sim/bench.o $(SIM_OBJECTS) $(LIB)
-	@echo "  LINK  bench"
-	@$(CXX) $(filter %.o %.a,$^) -o $@ $(SIM_LIBS)
-$(BUILD)/make_scene: $(BUILD)/obj/sim/make_scene.o $(LIB)
+$(BUILD)/castray: $(HOST_OBJECTS) $(CLI_OBJECTS) $(BUILD)/obj/sim/castray.o
+$(BUILD)/bench: $(HOST_OBJECTS) $(BUILD)/obj/sim/bench.o
+$(BUILD)/castray $(BUILD)/bench:
+	@echo "  LINK  $(@F)"
+	@$(CXX) $(filter-out $(COMMANDS),$^) $(filter $(COMMANDS),$^) -o $@ $(SIM_LIBS)
+$(BUILD)/make_scene: $(LIB_OBJECTS) $(BUILD)/obj/sim/make_scene.o
 	@echo "  LINK  make_scene"
-	@$(CXX) $(filter %.o %.a,$^) -o $@ $(LIBS)
+	@$(CXX) $^ -o $@ $(LIBS)
 
 # ---- Tests: tb/sim of the simulator itself, tb/frame of whole frames on the test variants ----
-$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(CLI_OBJECTS) $(SIM_OBJECTS) $(LIB) $(TEST_PCHS)
+# What runs long in them is in the objects, which stand before the test: it is not optimised.
+$(SIM_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_test.cpp $(HOST_OBJECTS) $(CLI_OBJECTS) $(firstword $(TEST_PCHS))
 	@mkdir -p $(@D)
 	@echo "  TEST  $*"
-	@$(CXX) $(call test_flags,$*) -Itb $(filter %.cpp %.o %.a,$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
+	@$(CXX) $(call test_flags,$*) -Itb $(filter-out $(COMMANDS),$(filter %.o,$^)) $< $(filter $(COMMANDS),$^) -o $@ $(TEST_LIBS) $(SIM_LIBS)
 # A test that runs the core says on which variants: "// Cores: l1c32t3p1m0 l3c32t3p2m128".
 $(foreach t,$(SIM_TESTS),$(eval $(t:tb/%_test.cpp=$(BUILD)/unit/%_test): | $(call cores_files,$(call said,Cores,$(t)))))
 

@@ -4,20 +4,29 @@ LIB_SOURCES := $(shell find cpp_model -name '*.cpp' | sort)
 LIB_OBJECTS := $(LIB_SOURCES:%.cpp=$(BUILD)/obj/%.o)
 LIB         := $(BUILD)/libcastray.a
 
+# What most of the host includes, read and instantiated once for all of it. It names files by their whole paths, so it is of no use
+# in another tree, where a cache of compilations would offer it.
+HOST_PCHED = -fPIC -fpch-instantiate-templates -Xclang -fno-pch-timestamp
+HOST_PCH  := $(BUILD)/gen/host.pch
+CLI_PCH   := $(BUILD)/gen/cli.pch
+$(HOST_PCH): private PCH_OF := sim/precompiled.hpp
+$(CLI_PCH): private PCH_OF := sim/cli/precompiled.hpp -O0
+$(HOST_PCH) $(CLI_PCH): sim/precompiled.hpp sim/cli/precompiled.hpp $(RECORDS)
+	@mkdir -p $(@D)
+	@CCACHE_DISABLE=1 $(CXX) $(CXXFLAGS) $(HOST_PCHED) -x c++-header $(PCH_OF) -o $@
+-include $(HOST_PCH:.pch=.d) $(CLI_PCH:.pch=.d)
+
 # -fPIC: the Python package's shared library takes the same objects.
-$(BUILD)/obj/%.o: %.cpp $(RECORDS)
+$(BUILD)/obj/%.o: %.cpp $(RECORDS) | $(HOST_PCH)
 	@mkdir -p $(@D)
 	@echo "  CXX   $<"
-	@$(CXX) $(CXXFLAGS) -fPIC -c $< -o $@
+	@$(CXX) $(CXXFLAGS) -include-pch $(or $(PCH),$(HOST_PCH)) $(HOST_PCHED) -c $< -o $@
 
 $(LIB): $(LIB_OBJECTS)
 	@rm -f $@
 	@ar rcs $@ $^
 
-$(BUILD)/obj/verilated/%.o: $(VERILATOR_ROOT)/include/%.cpp
-	@mkdir -p $(@D)
-	@$(CXX) -std=c++20 -O2 -I$(VERILATOR_ROOT)/include -I$(VERILATOR_ROOT)/include/vltstd -DVM_TRACE=0 -c $< -o $@
-VERILATED_OBJ := $(BUILD)/obj/verilated/verilated.o $(BUILD)/obj/verilated/verilated_threads.o
+VERILATED_OBJ := $(BUILD)/obj/verilated-pic/verilated.o $(BUILD)/obj/verilated-pic/verilated_threads.o
 
 # gold links faster than the default linker; both are of binutils.
 LIBS      := -lembree3 -lassimp -lOpenImageIO -lOpenImageIO_Util -lImath-3_1 -latomic -lpthread
@@ -41,9 +50,10 @@ SIM_TESTS   := $(filter tb/sim/% tb/frame/%,$(TESTS))
 MODEL_TESTS := $(filter-out $(UNIT_TESTS) $(MORE_TESTS) $(SIM_TESTS),$(TESTS))
 
 # A test takes longer to compile than to run, so it is compiled without optimisation, unless it says
-# "// Runs long." or has a long form, "// Long: ...". What most of them include is compiled once, for each of the two: it halves the time of a small test.
+# "// Runs long." or has a long form, "// Long: ...", and is none of the simulator (tools/core.mk). What most of
+# them include is compiled once, for each of the two: it halves the time of a small test.
 # It names files by their whole paths, so it is of no use in another tree, where a cache of compilations would offer it.
-LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(call saying,Runs) $(call saying,Long))
+LONG_RUNS   := $(patsubst tb/%_test.cpp,%,$(filter-out $(SIM_TESTS),$(call saying,Runs) $(call saying,Long)))
 PCH_FLAGS    = -fpch-instantiate-templates -Xclang -fno-pch-timestamp $(VERILATED_INC)
 export CCACHE_SLOPPINESS := pch_defines,time_macros
 TEST_PCHS   := $(BUILD)/gen/test-O0.pch $(BUILD)/gen/test-O2.pch
@@ -57,14 +67,14 @@ test_flags   = $(CXXFLAGS) $(call test_opt,$(1)) -include-pch $(call test_pch,$(
 
 # unit_model(unit): its Verilated model.
 define unit_model
-$(BUILD)/unit/$(1)/V$(notdir $(1))__ALL.a: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES)
+$(BUILD)/unit/$(1)/V$(notdir $(1)).o: $(wildcard tb/$(1)_tb.sv) $(wildcard rtl/$(1).sv) tb/$(1)_test.cpp tools/waivers.vlt $(PACKAGES) | $(VERILATED_PCHS)
 	@echo "  VERILATE $(1)"
-	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(call said,Verilator,tb/$(1)_test.cpp),-O1)
+	$$(call verilate,$(notdir $(1)),$(BUILD)/unit/$(1),tb/$(dir $(1)),$(call said,Verilator,tb/$(1)_test.cpp))
 -include $(BUILD)/unit/$(1)/V$(notdir $(1))__ver.d
 endef
 # unit_test(test,unit): the program of a test, linked to the unit's model.
 define unit_test
-$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2))__ALL.a $(VERILATED_OBJ) $(call test_pch,$(1))
+$(BUILD)/unit/$(1)_test: tb/$(1)_test.cpp $(BUILD)/unit/$(2)/V$(notdir $(2)).o $(VERILATED_OBJ) $(call test_pch,$(1))
 	@echo "  TEST  $(1)"
 	@$(CXX) $(call test_flags,$(1)) -I$(BUILD)/unit/$(2) $$(filter %.cpp %.a %.o,$$^) -o $$@ $(TEST_LIBS) $$(if $$(filter $(LIB),$$^),$(LIBS))
 endef
@@ -83,5 +93,5 @@ $(MODEL_TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test): $(BUILD)/unit/%_test: tb/%_te
 
 ALL_TESTS := $(TESTS:tb/%_test.cpp=$(BUILD)/unit/%_test)
 
-# Scripts and whole frames first: they take longest.
+# Whole frames first: they take longest.
 TEST_PROGRAMS := $(wildcard tb/cli/*.sh) $(sort $(filter $(BUILD)/unit/frame/%,$(ALL_TESTS))) $(filter-out $(BUILD)/unit/frame/%,$(ALL_TESTS))

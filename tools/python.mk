@@ -19,11 +19,11 @@ python-build-facts:
 # so that the two do not build the same.
 PACKAGE := $(call venv,castray)
 $(PACKAGE): tools/requirements/castray.txt pyproject.toml tools/py_build.py tools/py_layout.py tools/sv_records.py $(PACKAGES) \
-  fpga/ultra96/vlnv.txt python/CMakeLists.txt $(wildcard python/src/* python/castray/*.py) $(LIB) $(SIM_LIB) $(call cores_files,$(CORES_RENDER))
+  fpga/ultra96/vlnv.txt python/CMakeLists.txt $(wildcard python/src/* python/castray/*.py) $(LIB) $(SIM_LIB) $(call cores_files,$(CORES_RENDER)) | $(PIP)
 	@echo "  PIP   castray"
 	@rm -rf $(@D)
-	@python3 -m venv $(@D)
-	@env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS PIP_CONSTRAINT=$< $(@D)/bin/pip install --quiet --disable-pip-version-check .
+	@python3 -m venv --without-pip $(@D)
+	@env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS PIP_CONSTRAINT=$< $(pip_install) .
 	@touch $@
 
 # Its tests have their tools in an environment of their own, and the package from the first.

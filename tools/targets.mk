@@ -32,11 +32,12 @@ test: ## everything that must pass: lint, units, model, small frames; ends with 
 	@tools/setup.sh
 	@$(MAKE) --no-print-directory test-run
 
-# What does not build counts as failed, so the build goes on behind an error.
+# What does not build counts as failed, so the build goes on behind an error. Scripts first: some take long, each on one processor.
 test-run:
 	@+built=0; $(call numbered,-k $(LINTS) programs tests) || built=1; \
 	 ok=$$(ls $(LINTS) 2> /dev/null | wc -l); echo "  lint: $$ok of $(words $(LINTS)) tops clean"; \
-	 python3 tools/run_tests.py -j $(JOBS) --passed $$ok --failed $$(($(words $(LINTS)) - ok + built)) $(TEST_PROGRAMS)
+	 python3 tools/run_tests.py -j $(JOBS) --passed $$ok --failed $$(($(words $(LINTS)) - ok + built)) \
+	   $(filter %.sh,$(TEST_PROGRAMS)) $(filter-out %.sh,$(TEST_PROGRAMS))
 
 lint: $(LINTS) ## lint every module and test wrapper as its own top, and the core as it is simulated
 	@echo "lint: $(words $(LINTS)) tops clean"

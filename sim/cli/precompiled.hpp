@@ -3,7 +3,5 @@
 // needs itself: this one only saves the compiler's time.
 #pragma once
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
+
+#include "../precompiled.hpp"

@@ -15,11 +15,11 @@ lint() { # folder under build/width, top: at its widths
   verilator --lint-only -Wall -fno-const-bit-op-tree --top-module "$2" tools/waivers.vlt "${files[@]}"
 }
 # One make for each folder, for the reading of the makefiles takes longer than a lint; Verilator's own code is of no width.
-runtime=build/obj/verilated/verilated.o\ build/obj/verilated/verilated_threads.o
-for object in $runtime; do [[ -e $object ]] || make -s $object; done
+runtime="build/obj/verilated-pic/verilated.o build/obj/verilated-pic/verilated_threads.o" headers="build/gen/verilated-O0.pch build/gen/verilated-O1.pch"
+for object in $runtime $headers; do [[ -e $object ]] || make -s $object; done
 at() { # folder, goals in it: made there
   local folder=build/width/$1
-  make -s OPT=-O1 VERILATED_OBJ="$runtime" BUILD="$folder" CONFIG="$folder/castray_cfg_pkg.sv" "${@:2}"
+  make -s OPT=-O1 VERILATED_OBJ="$runtime" VERILATED_PCHS="$headers" BUILD="$folder" CONFIG="$folder/castray_cfg_pkg.sv" "${@:2}"
 }
 build() { at "$1" "${library[@]}" $(printf "build/width/$1/unit/%s_test " "${@:2}"); }   # folder, units
 passes() { # folder, units: their tests pass; cycles are counted at the usual widths

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // What the core does with illegal registers, bad images and errors on the bus: it stops with the
 // right code, raises the interrupt, leaves nothing unanswered, and the next frame is good.
 // Cores: l3c32t3p2m128

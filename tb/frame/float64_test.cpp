@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // The model against the float64 reference, which never sees the image: how many pixels see another
 // primitive, and colours within 1 of 255 where primitive and checker cell agree.
 #include "frame/frame.hpp"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // Lanes with unlike work: one whose queue is full holds up the others, and nothing of it is lost.
 // Cores: l3c32t3p2m128
 #include <cmath>

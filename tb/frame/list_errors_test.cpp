@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // What is no list: illegal registers, windows that are too small, flags that are none, errors on the bus,
 // a ray that visits too much; and what is no ray, by name. The job ends, and the next list is good.
 // Cores: l1c32t3p1m0

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // Lists of rays on the core, in the hierarchy and by brute force: every record the model's, on 1 to 4
 // lanes, under stalls, of any length, at any place.
 // Cores: l1c32t3p1m0 l2c32t3p1m128 l3c32t3p2m128 l4c32t3p2m128

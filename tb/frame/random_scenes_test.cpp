@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // 200 seeded random scenes, by brute force and in the hierarchy, RTL against model: every pixel, every
 // raw hit record, the counters.
 // Cores: l1c32t3p1m0 l2c32t3p1m128 l3c32t3p2m128 l4c32t3p2m128

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // A reset at any moment, in the midst of bursts too: the next frame is good.
 // Cores: l3c32t3p2m128
 #include "frame/frame.hpp"

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-PIP_CONSTRAINT=tools/requirements/castray.txt build/venv/castray/bin/pip wheel --quiet --disable-pip-version-check --no-deps \
+PIP_CONSTRAINT=tools/requirements/castray.txt build/venv/pip/bin/pip wheel --quiet --disable-pip-version-check --no-deps \
   --config-settings=wheel.cmake=false -w "$work" .
 ls "$work"
 [[ -f $(echo "$work"/castray-*-py3-none-any.whl) ]]

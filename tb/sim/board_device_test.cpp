@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // The device layer of a board on the Verilated core: what it gives equals the model's, whatever becomes of the interrupt;
 // what cannot be done is refused before the start; a core that hangs is given up in time, and left idle where it can be.
 // Cores: l1c32t3p1m0

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs long.
 // castray query from outside: answers in every form and of every engine, and what is refused.
 // Cores: l1c32t3p1m0 l3c32t3p2m128
 #include <nlohmann/json.hpp>
