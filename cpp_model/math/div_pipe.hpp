@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mirrors rtl/math/div_pipe.sv: division to the nearest and rounded down.
+// Mirrors rtl/math/div_pipe.sv, and is the model of div_pair.sv (to the nearest) and reciprocal.sv (rounded down).
 #pragma once
 #include "fixed.hpp"
 

@@ -75,7 +75,7 @@ module ray_setup
   assign axis_side.valid = den[ShearDivW-1];
 
   // ---- Two divisions, shear and norm ----
-  localparam int unsigned DivStages = 12;   // div_pair's
+  localparam int unsigned DivStages = 12;   // div_pair's, as many as its en_i has bits
   localparam int unsigned Stages    = DivStages + 5;
   logic [Stages-1:0] load_all;
   logic [4:0]        load;

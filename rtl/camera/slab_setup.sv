@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fills in what the tests of boxes need of a ray: rx and ry, one over |sx| and |sy|, rounded down.
-//   s0              k = |S|, and its leading zeros, ShearFrac bits: exp
-//   s1              k' = k << exp
-//   reciprocal (two), s2-s7   mant = min(floor(2^(ShearFrac+RecipW-1) / k'), 2^RecipW - 1)
-//   out             of S = 0: mant 2^(RecipW-1), exp 31
+//   s0      k = |S|, and its leading zeros, ShearFrac bits: exp
+//   s1      k' = k << exp
+//   s2-s7   mant = min(floor(2^(ShearFrac+RecipW-1) / k'), 2^RecipW - 1)      reciprocal, one each
+//   out     of S = 0: mant 2^(RecipW-1), exp 31
 // so that mant 2^(exp-16) <= 1/|S| <= (mant + 1) 2^(exp-16): the quotient exceeds RecipW bits for a power
 // of two only, and then mant + 1 is exact. In the place of zero stands 2^-31, which leaves the node test
 // exact: see docs/number-formats.md.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // |U|, |V| and |det| of a triangle, shifted together so that |det| has its top one at bit HitDivW - 1:
-// exact to the left, truncated to the right. They are what the divider divides.
+// exact to the left, truncated to the right. They are what div_pair divides.
 //   s1  leading zeros of |det|
 //   s2  num0 = U', num1 = V', den = det', HitDivW bits each       combinational, for the parent's register
 // One triangle a cycle, never stalls; en_i: s1 takes one.
@@ -27,7 +27,7 @@ module hit_norm
   function automatic logic [1:0] zeros_of(logic [3:0] x);
     return x[3] ? 2'd0 : x[2] ? 2'd1 : x[1] ? 2'd2 : 2'd3;
   endfunction
-  // Four by four: of the first group that has a one, zeros_of its groups.
+  // Of each four bits, then of each four such groups: whether there is a one, and the zeros above it.
   function automatic logic [5:0] leading_zeros(det_t x);
     logic [63:0]      rest;
     logic [15:0]      some4;

@@ -29,10 +29,10 @@ module hit_unit
   output lane_no_t out_lane_o,
   output logic     retire_o
 );
-  localparam int unsigned DivCycles  = 12;   // div_pair's
+  localparam int unsigned DivCycles  = 12;   // div_pair's, as many as its en_i has bits
   localparam int unsigned RootCycles = (CoordW + 2) / 2;
   // A candidate's place in the tail's memories is the cycle in which it enters: there are more places than
-  // cycles that any is inside, a sphere's root, three cycles to the divider, and seven behind it.
+  // cycles that any is inside, a sphere's root, three cycles to the divisions, and seven behind it.
   localparam int unsigned PlaceW = HitPlaceW;
   if (RootCycles + 3 + DivCycles + 7 >= 1 << PlaceW) begin : g_check
     $error("hit_unit: a candidate is inside for more cycles than there are places");

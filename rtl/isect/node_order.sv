@@ -9,7 +9,7 @@
 //       rest of the entry any child's
 // One node a cycle, never stalls; en_i[k]: stage k + 1 takes an item. neg_i, dz_i and ez_i belong to
 // s1, the children's and the limits' stretches to s2, targets to s3.
-// Model: cpp_model/isect/node_order.hpp, equal bit for bit.
+// Model: cpp_model/isect/node_order.hpp, equal bit for bit in what is read: of an entry without a target, only its kind.
 module node_order
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 (

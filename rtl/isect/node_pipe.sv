@@ -9,7 +9,7 @@
 // its inside could lie between tmin and t: docs/number-formats.md, "The test of a node". Of a node
 // that no scene image may hold no child is visited, and error_o is set with out_valid_o.
 // One node a cycle, 7 cycles, never stalls. 20 DSPs.
-// Model: cpp_model/isect/node_pipe.hpp, equal bit for bit.
+// Model: cpp_model/isect/node_pipe.hpp, equal bit for bit in what is read: of an entry without a target, only its kind.
 module node_pipe
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 (

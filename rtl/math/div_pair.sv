@@ -12,7 +12,7 @@
 // dropped, x is off by less than half of q's last bit, and so q' + 1/2 is the one number at which q may change.
 // A divisor whose top bit is clear gives 0, and num > den some number.
 // One pair a cycle, twelve cycles, never stalls. en_i[k] says that stage k + 1 takes an item in this cycle.
-// Ten multipliers of 27x18 for a DenW of 26 or less, with a few more of 17 bits beyond; a memory of 2^9 words.
+// Ten multipliers of 27x18 for a DenW of 26 or less, 13 for one of 32; a memory of 2^9 words.
 // Method: Newton's step on a table's reciprocal (Flynn, 1970), the remainder's sign for the last bit (Markstein, 1990).
 // Model: div_nearest of cpp_model/math/div_pipe.hpp, equal bit for bit.
 module div_pair
@@ -37,7 +37,7 @@ module div_pair
   localparam int unsigned GDrop   = (DspAW - 1) + DspBW - 3 + (GuessW - 1) - QFrac - Spare;   // bits of g below those
   localparam int unsigned CheckW  = DenW + 2;
   localparam int unsigned HeadW   = CheckW - QFrac - 1;         // bits of v that num 2^(QFrac+1) reaches
-  localparam int unsigned MiddleW = (QFrac + 2 > GuessW) ? QFrac + 2 : GuessW + 1;
+  localparam int unsigned MiddleW = (QFrac + 2 > DspBW) ? QFrac + 2 : DspBW;   // mul_low takes no fewer
   typedef logic [DenW-1:0]        op_t;
   typedef logic [DenW+GuessW-1:0] product_t;
   typedef logic [CheckW-1:0]      check_t;

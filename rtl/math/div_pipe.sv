@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Guarded division, q = num 2^QFrac / den, for num <= den: to the nearest, halves upwards, or, with
-// Nearest 0, rounded down.
+// Guarded division, q = num 2^QFrac / den to the nearest, halves upwards, for num <= den.
 //   s1..sn    BitsPerStage quotient bits each, without restoring: where a remainder is negative, its
 //             bit is 0 and the next step adds the divisor instead of subtracting it. QFrac + 1 bits, the
 //             first is the integer bit, and one more for rounding to the nearest
@@ -12,7 +11,6 @@ module div_pipe #(
   parameter int unsigned NumW         = 32,
   parameter int unsigned QFrac        = 26,
   parameter int unsigned BitsPerStage = 2,
-  parameter bit          Nearest      = 1'b1,
   parameter type         tag_t        = logic [7:0]
 ) (
   input  logic             clk_i,
@@ -36,7 +34,7 @@ module div_pipe #(
     $error("div_pipe: BitsPerStage must be 1 to 8");
   end
 
-  localparam int unsigned Bits   = QFrac + 1 + 32'(Nearest);
+  localparam int unsigned Bits   = QFrac + 2;
   localparam int unsigned Stages = (Bits + BitsPerStage - 1) / BitsPerStage;
 
   typedef logic [NumW-1:0] op_t;
@@ -126,8 +124,7 @@ module div_pipe #(
   always_ff @(posedge clk_i) begin
     if (move && offered[Stages]) begin
       if (g_stage[Stages-1].none_q) out_q_o <= '0;
-      else out_q_o <= Nearest ? (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1)
-                              : (QFrac+1)'(g_stage[Stages-1].step_q.quo);
+      else out_q_o <= (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1);
       out_tag_o <= g_stage[Stages-1].tag_q;
     end
   end

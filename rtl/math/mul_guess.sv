@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// p = a guess, unsigned W x RecipW bits, exact: one multiplier of 27x18, or two where a has more than 26 bits.
+// p = a times guess, unsigned, W x RecipW bits, exact: one multiplier of 27x18, or two where a_i has more than 26 bits.
 //   s1  low = a's lower bits times guess, high = its upper 26 times guess      M
 //   s2  p = low + 2^(W-26) high
 // One product a cycle, two cycles, never stalls; en_i[k]: stage k + 1 takes an item. The operands come from registers.

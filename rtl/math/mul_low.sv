@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lower OutW bits of a b, unsigned: of a by b's lower 26 bits and upper rest, and by a's lower 17 and upper rest.
-//   s1  low = a[16:0] b[25:0], high = a[..:17] b, rest = a[16:0] b[..:26]      each no longer than OutW asks for
+// p = the lower OutW bits of a b, unsigned, in parts:
+//   s1  low  = a's lower 17 bits times b's lower 26
+//       high = a's upper bits times b, rest = a's lower 17 bits times b's upper ones; both no longer than OutW asks for
 //   s2  p = low + 2^17 high + 2^26 rest
+// A part is a multiplier of 27x18; high is two where OutW is more than 43 and b more than 26 bits. No rest for a b of up to 26.
 // One product a cycle, two cycles, never stalls; en_i[k]: stage k + 1 takes an item. The operands come from registers.
-// AW is at least 18. Model: uint64 multiplication.
+// AW and OutW are at least 18. Model: uint64 multiplication.
 module mul_low
   import castray_cfg_pkg::*;
 #(

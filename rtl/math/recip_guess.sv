@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One over a number whose top bit is set, to RecipW bits: with den cut to DspAW - 1 bits and
-// q = floor(2^(bits+RecipW-1) / den), which lies above 2^(RecipW-1),
+// q = floor(2^(bits+RecipW-1) / den), which is at least 2^(RecipW-1),
 //   guess = min(q or q + 1, 2^RecipW - 1)
 //   s1      a line of the table                   den's Index bits below the top one
 //   s2, s3  its fall times den's bits below those

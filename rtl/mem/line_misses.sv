@@ -7,7 +7,7 @@
 //   end    the number is free again; its chain goes to who serves it
 // The last to come is the first in a chain. Whoever waits in a chain is not added before it was
 // served. A line is not looked up in the cycle in which it ends. A number is free for a line that
-// is added three cycles after its end.
+// is added two cycles after its end, or later.
 module line_misses
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
@@ -42,7 +42,8 @@ module line_misses
 
   typedef logic [$clog2(Misses)-1:0] number_t;
   logic [Misses-1:0] used_q, match_q;
-  logic [Misses-1:0] free_q, rest;       // the number that a new line takes, one bit; free_q or used
+  logic [Misses-1:0] free_q;             // the number that the next new line takes, one bit; none: zero
+  logic [Misses-1:0] rest;               // that and those in use
   line_no_t          line_q [Misses];    // all compared at once
   line_no_t          find_q [Misses];    // the same, where one is read
   id_t               head_q [Misses];

@@ -8,7 +8,7 @@
 // A look takes 2 cycles; one may come with the match of the one before. Replaced is the way that a tree
 // of one bit a fork points to: each use turns the forks above it away from it. With two ways that is the
 // one used longer ago, and an empty way comes first.
-// A set is not looked at in the cycle in which it is filled. A use in the cycle of a fill does not
+// A set is not filled from its look until what was found is used. A use in the cycle of a fill does not
 // turn the forks.
 // After a reset the sets are emptied, one a cycle; only then ready_o, and a look or a fill.
 module line_tags

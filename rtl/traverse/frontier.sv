@@ -115,7 +115,7 @@ module frontier
     if (!rst_ni) split_q <= '0;
     else if (node_valid_i) split_q <= split_q + 1'b1;
   end
-  logic [2:0] live;    // children before and in node_parts, and of tile_box
+  logic [2:0] live;    // a child enters node_parts' s1, its s2, tile_box
   logic [2:1] live_q;
   assign live = {live_q, node_valid_i};
   always_ff @(posedge clk_i) begin

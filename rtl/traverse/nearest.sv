@@ -3,9 +3,9 @@
 // equal with a lower primitive number: the outcome does not depend on the order of the results.
 // A new ray starts with its tmax and number 0, so a hit at exactly tmax is none. Until a hit is found
 // u and v read as 0: the memories still hold those of the ray before.
-// One new ray or one result a cycle (never both); reads are combinational. u and v can be read two
-// cycles after a result, all else one: no ray leaves a lane sooner. reach: what lies beyond
-// it, in units of a dist_t, is behind the nearest hit.
+// One new ray or one result a cycle (never both); reads are combinational. A result's u and v can be read
+// two cycles after it, all else one: no ray leaves a lane sooner.
+// reach: what lies beyond it, in units of a dist_t, is behind the nearest hit.
 // Model: cpp_model/traverse/nearest.hpp, equal bit for bit.
 module nearest
   import castray_cfg_pkg::*;

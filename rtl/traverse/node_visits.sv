@@ -7,7 +7,7 @@
 // One node a cycle; nothing waits for what comes out. A node whose index is behind the section, one
 // that is illegal, and one with a child that is a node and not behind it raise fault_o (ErrNode), and
 // the context gets nothing.
-// Model: cpp_model/traverse/node_visits.hpp, equal bit for bit.
+// Model: cpp_model/traverse/node_visits.hpp, equal bit for bit in what is read: of an entry without a target, only its kind.
 module node_visits
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(

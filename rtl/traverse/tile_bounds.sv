@@ -24,13 +24,20 @@ module tile_bounds
   localparam int unsigned Drop = ShearFrac - TileSlopeFrac;
   typedef logic signed [ShearFrac+1:0] wide_t;
 
+  // ---- Out once all four are in ----
+  logic last;
+  pipe_chain #(.Stages(1)) u_full (
+    .clk_i, .rst_ni,
+    .valid_i(in_valid_i && last), .ready_o(in_ready_o),
+    .valid_o(out_valid_o), .ready_i(out_ready_i), .load_o()
+  );
+
   // ---- The range of sx and sy so far; a tile whose rays differ in neg has no bounds ----
   typedef struct packed {
     shear_t least, most;
   } range_t;
   logic [1:0] count_q;
-  logic       first, last, take, same;
-  logic       full_q;       // all four are in
+  logic       first, take, same;
   logic       valid_q, neg_q;
   axis_t      axis_q;
   range_t     x_q, y_q, x, y;
@@ -58,10 +65,8 @@ module tile_bounds
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       count_q <= '0;
-      full_q  <= 1'b0;
     end else begin
       if (take) count_q <= count_q + 1'b1;
-      if (take || out_ready_i) full_q <= take && last;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -88,11 +93,9 @@ module tile_bounds
 
   always_comb begin
     out_o = '0;
-    if (full_q) begin
+    if (out_valid_o) begin
       out_o = '{valid: valid_q, axis: axis_q, neg: neg_q,
                 x_low: low_of(x_q, neg_q), x_high: high_of(x_q, neg_q), y_low: low_of(y_q, neg_q), y_high: high_of(y_q, neg_q)};
     end
   end
-  assign out_valid_o = full_q;
-  assign in_ready_o  = !full_q || out_ready_i;
 endmodule

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The memory in RAMB18E2 and RAMB36E2: one port writes bytes of nine bits, one reads; a read in the
-// same cycle sees what was there before. Bytes / Width words of Width bytes. Data and Parity: what it holds at first, where Known.
+// same cycle sees what was there before. Bytes / Width words of Width bytes. Data and Parity: what it
+// holds at first, where Known.
 module block_ram #(
   parameter int Bytes = 2048,
   parameter int Width = 2,

@@ -214,7 +214,7 @@ TEST_F(LaneImages, TakesTheseCycles) {
   primitives(false);
   EXPECT_EQ(cycles(1, true) - one, 19) << "a leaf of two triangles that are missed";
   primitives(true);
-  EXPECT_EQ(cycles(1, true) - one, 44) << "a leaf of two triangles that are hit";
+  EXPECT_EQ(cycles(1, true) - one, 42) << "a leaf of two triangles that are hit";
 }
 
 // Flipped bits in nodes and lines: the same error as the model's, or the same hit.
