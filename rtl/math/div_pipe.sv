@@ -4,7 +4,7 @@
 //             bit is 0 and the next step adds the divisor instead of subtracting it. QFrac + 1 bits, the
 //             first is the integer bit, and one more for rounding to the nearest
 //   s(n+1)    rounding
-// Defined otherwise too: a zero divisor gives 0, num > den gives 2^QFrac.
+// Defined otherwise too: num > den gives 2^QFrac, and a zero divisor 0: all its bits are one, and rounding wraps.
 // One division a cycle, n + 1 cycles; all stages move together unless the output is blocked.
 // Model: cpp_model/math/div_pipe.hpp, equal bit for bit.
 module div_pipe #(
@@ -90,24 +90,20 @@ module div_pipe #(
     step_t from, step_q;
     op_t   den_in;
     tag_t  tag_in, tag_q;
-    logic  none_in, none_q;   // the divisor is zero
     if (i == 0) begin : g_first
       assign from    = '{rem: in_num_i, quo: '0};
       assign den_in  = in_den_i;
       assign tag_in  = in_tag_i;
-      assign none_in = in_den_i == '0;
     end else begin : g_next
       assign from    = g_stage[i-1].step_q;
       assign den_in  = g_stage[i-1].g_den.den_q;
       assign tag_in  = g_stage[i-1].tag_q;
-      assign none_in = g_stage[i-1].none_q;
     end
     always_ff @(posedge clk_i) begin
       if (work) begin
         if (offered[i]) begin
           step_q <= divide(from, den_in, i * BitsPerStage);
           tag_q  <= tag_in;
-          none_q <= none_in;
         end
       end
     end
@@ -123,8 +119,7 @@ module div_pipe #(
 
   always_ff @(posedge clk_i) begin
     if (move && offered[Stages]) begin
-      if (g_stage[Stages-1].none_q) out_q_o <= '0;
-      else out_q_o <= (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1);
+      out_q_o   <= (QFrac+1)'((g_stage[Stages-1].step_q.quo + 1'b1) >> 1);
       out_tag_o <= g_stage[Stages-1].tag_q;
     end
   end
