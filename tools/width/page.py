@@ -79,7 +79,7 @@ def plot(results):
         bits = [p["bits"] for p in found]
         rows[0][column].set_title(curve)
         rows[2][column].step(bits, [lane_dsps(p["widths"]) for p in found], "k", where="mid", label="DSPs of a lane")
-        rows[2][column].set_ylim(-2, 115)
+        rows[2][column].set_ylim(-2, 130)
         for row in rows:   # the core as it is; together it has 22 to 26 fraction bits
             row[column].axvline(next((p["bits"] for p in found if not p["widths"]), 38), color="0.8", zorder=0)
     for column, (curve, axis) in enumerate(AXES.items()):
