@@ -2,22 +2,26 @@
 // A cache of 64-byte lines that does not wait for memory. Who asks has a number (a lane: its
 // context) and one request under way at most; answers come in any order.
 //   look   in -> cycle 0 the set's tags
-//                cycle 1 compared; the line with those waited for too (line_tags, line_misses)
-//                cycle 2 found: to serve. Not found: the number waits in the line's chain; a line
-//                        that nobody waited for is asked for. A lookup never waits for memory.
-//   fill   a line from memory -> register; cycle 1 it takes its place and its chain goes to wake
+//                cycle 1 compared
+//                cycle 2 found: to serve. Found, but still waited for: the number waits in the
+//                        line's chain. Not found: the line is asked for, takes its place at once
+//                        and is waited for there (line_tags, line_misses)
+//   fill   data, to the place that its line has; the line's number -> register; cycle 1 the line is
+//          there and its chain goes to wake
 //   serve  a number and a place, of a hit or of wake in turn; a cycle each for the data memory and
 //          for its output register -> out
 // At most Misses lines are waited for, each asked for once; while there may be none left nothing
-// is looked up. Of one set, there is one thing at a time: a fill waits while a lookup of the set
-// stands in cycle 1 or 2 or a chain of the set is served, and lookups of the set wait for the fill. So a
-// line stays until all who waited for it have it.
+// is looked up. A lookup waits in cycle 2 while all ways of its set are waited for, or a chain of the
+// set is served; no other lookup waits for memory. A set's lines come while no lookup of it is in cycle
+// 2, but for one that waits there; lookups of a set wait for a line that comes. So the line before stays
+// until all who waited for it have it.
 // Kept lines lie beside the cache's in the data memory. The user writes them, and asks for them by
 // their indices, in turn with what the cache serves. Nothing is read in the cycle in which one is
 // written, and out must not be blocked then.
 // What comes out of out makes everything else move, so out must not wait for in or fill
 // (docs/memory.md).
-// One lookup a cycle. A hit takes 4 cycles from in to out; a line is offered 4 cycles after it came.
+// One lookup a cycle; two cycles less for one that follows a new line of its own set. A hit takes 4 cycles
+// from in to out; a line is offered 4 cycles after it came.
 // After a reset nothing is taken for as many cycles as there are sets: the tags are emptied.
 module line_cache
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -29,7 +33,9 @@ module line_cache
   parameter int unsigned Skip   = 0,   // lowest bits of a number that all lines of this cache share
   parameter int unsigned Kept   = 0,   // kept lines
   parameter int unsigned ReadW  = $bits(line_data_t),   // the lowest bits of a line, which are read
-  localparam int unsigned KeptW = (Kept > 1) ? $clog2(Kept) : 1
+  parameter int unsigned Parts  = 1,   // in which a line's data comes
+  localparam int unsigned KeptW = (Kept > 1) ? $clog2(Kept) : 1,
+  localparam int unsigned PartW = (Parts > 1) ? $clog2(Parts) : 1
 ) (
   input  logic             clk_i,
   input  logic             rst_ni,
@@ -60,9 +66,13 @@ module line_cache
   input  logic             req_ready_i,
   output line_req_t        req_o,
 
-  input  logic             fill_valid_i,   // under the numbers of the requests, in any order
-  output logic             fill_ready_o,
-  input  line_fill_t       fill_i
+  input  logic                   data_valid_i,   // a part of a line that is waited for
+  input  miss_t                  data_miss_i,
+  input  logic [PartW-1:0]       data_part_i,
+  input  logic [ReadW/Parts-1:0] data_i,
+  input  logic                   fill_valid_i,   // all of its data came, with this or before; in any order
+  output logic                   fill_ready_o,
+  input  miss_t                  fill_miss_i
 );
   localparam int unsigned Sets = Lines / Ways;
   localparam int unsigned SetW = $clog2(Sets);
@@ -83,27 +93,29 @@ module line_cache
   endfunction
 
   // ---- Look ----
-  logic             emptied, room, open, look, looking, match, match_ready, looked, leaves, found, is_new;
+  logic             emptied, room, open, look, looking, match, match_ready, looked, leaves, again_q, stale, held;
+  logic             found, waits, none, served, is_new, same_set;
   logic             filled, fill, fill_load;
-  logic [WayW-1:0]  found_way, fill_way;
-  miss_t            new_miss;
+  logic [WayW-1:0]  found_way, put_way;
+  miss_t            new_miss, found_miss, fill_miss_q;
   id_t              id_q, look_id_q;
-  line_no_t         line_q, look_line_q, fill_line, fill_line_q;
-  miss_t            fill_miss_q;
-  logic [ReadW-1:0] fill_data_q;
+  line_no_t         line_q, look_line_q;
+  place_t           data_place, fill_place, fill_place_q;
+  set_t             fill_set;
+  assign fill_set = fill_place_q[PlaceW-1:WayW];
 
   always_comb begin
     open = emptied && room;
-    if (filled) open = open && set_of(in_line_i) != set_of(fill_line_q);
+    if (filled) open = open && set_of(in_line_i) != fill_set;
   end
   logic look_ready;
   assign in_ready_o = open && look_ready;
   pipe_chain #(.Stages(1)) u_look (
     .clk_i, .rst_ni, .valid_i(in_valid_i && open), .ready_o(look_ready),
-    .valid_o(looking), .ready_i(match_ready), .load_o(look)
+    .valid_o(looking), .ready_i(match_ready && !held), .load_o(look)
   );
   pipe_chain #(.Stages(1)) u_match (
-    .clk_i, .rst_ni, .valid_i(looking), .ready_o(match_ready),
+    .clk_i, .rst_ni, .valid_i(looking && !held), .ready_o(match_ready),
     .valid_o(looked), .ready_i(leaves), .load_o(match)
   );
   always_ff @(posedge clk_i) begin
@@ -117,12 +129,21 @@ module line_cache
     end
   end
 
+  // A new line of a set: the tags of the lookup behind it are read again, if they are of that set.
+  assign same_set = set_of(look_line_q) == set_of(line_q);
+  assign stale    = (is_new && same_set) || (fill && set_of(look_line_q) == fill_set);
+  assign held     = again_q || stale;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) again_q <= 1'b0;
+    else again_q <= look ? is_new && set_of(in_line_i) == set_of(line_q) : looking && stale;
+  end
+
   line_tags #(.Sets(Sets), .Ways(Ways), .TagW(TagW)) u_tags (
     .clk_i, .rst_ni, .ready_o(emptied),
-    .look_i(look), .look_set_i(set_of(in_line_i)), .look_tag_i(tag_of(in_line_i)),
-    .match_i(match), .held_i(looked), .found_o(found), .found_way_o(found_way), .use_i(hit_o),
-    .choose_i(fill_load), .choose_set_i(set_of(fill_line)), .fill_i(fill), .fill_set_i(set_of(fill_line_q)), .fill_tag_i(tag_of(fill_line_q)),
-    .fill_way_o(fill_way)
+    .look_i(look), .look_set_i(set_of(in_line_i)), .look_tag_i(tag_of(in_line_i)), .again_i(again_q),
+    .match_i(match), .held_i(looked), .found_o(found), .found_way_o(found_way), .waits_o(waits), .miss_o(found_miss),
+    .none_o(none), .put_way_o(put_way), .use_i(hit_o),
+    .put_i(is_new), .put_miss_i(new_miss), .came_i(fill), .came_set_i(fill_set), .came_way_i(fill_place_q[WayW-1:0])
   );
 
   // A number for each lookup under way, in case that it needs one.
@@ -132,12 +153,14 @@ module line_cache
   );
 
   // ---- Misses ----
-  id_t      head, wake_id, wake_next;
-  line_misses #(.id_t(id_t), .Misses(Misses)) u_misses (
+  id_t head, wake_id, wake_next;
+  assign is_new = looked && !found && !none && !served && !fill;
+  assign miss_o = is_new || (looked && waits);
+  line_misses #(.id_t(id_t), .place_t(place_t), .Misses(Misses)) u_misses (
     .clk_i, .rst_ni,
-    .look_i(match), .look_line_i(look_line_q),
-    .add_i(miss_o), .add_id_i(id_q), .add_line_i(line_q), .new_o(is_new), .new_miss_o(new_miss),
-    .find_i(fill_i.miss), .find_line_o(fill_line),
+    .add_i(miss_o), .add_id_i(id_q), .new_i(is_new), .new_place_i({set_of(line_q), put_way}), .join_miss_i(found_miss),
+    .new_miss_o(new_miss),
+    .data_miss_i, .data_place_o(data_place), .fill_miss_i, .fill_place_o(fill_place),
     .end_i(fill), .end_miss_i(fill_miss_q), .end_head_o(head),
     .id_i(wake_id), .next_o(wake_next)
   );
@@ -148,26 +171,24 @@ module line_cache
   );
 
   // ---- Fill ----
-  logic   wake_room, wake_busy, fill_free;
-  place_t fill_place;
+  logic wake_room, fill_free, stuck_q;   // stuck: the lookup in cycle 2 waits for a line of its set
   always_comb begin
     fill_free = 1'b0;
-    if (filled) begin
-      fill_free = wake_room && !wake_busy && !(looking && set_of(look_line_q) == set_of(fill_line_q))
-                  && !(looked && set_of(line_q) == set_of(fill_line_q));
-    end
+    if (filled) fill_free = wake_room && !(looked && !stuck_q && set_of(line_q) == fill_set);
   end
-  assign fill       = filled && fill_free;
-  assign fill_place = {set_of(fill_line_q), fill_way};
+  assign fill = filled && fill_free;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) stuck_q <= 1'b0;
+    else stuck_q <= looked && !found && none;
+  end
   pipe_chain #(.Stages(1)) u_fill (
     .clk_i, .rst_ni, .valid_i(fill_valid_i), .ready_o(fill_ready_o),
     .valid_o(filled), .ready_i(fill_free), .load_o(fill_load)
   );
   always_ff @(posedge clk_i) begin
     if (fill_load) begin
-      fill_miss_q <= fill_i.miss;
-      fill_data_q <= fill_i.data[ReadW-1:0];
-      fill_line_q <= fill_line;
+      fill_miss_q  <= fill_miss_i;
+      fill_place_q <= fill_place;
     end
   end
 
@@ -183,8 +204,8 @@ module line_cache
   place_t             wake_place;
   line_wake #(.id_t(id_t), .SetW(SetW), .WayW(WayW)) u_wake (
     .clk_i, .rst_ni,
-    .push_i(fill), .ready_o(wake_room), .head_i(head), .place_i(fill_place),
-    .set_i(set_of(fill_line_q)), .busy_o(wake_busy),
+    .push_i(fill), .ready_o(wake_room), .head_i(head), .place_i(fill_place_q),
+    .set_i(set_of(line_q)), .busy_o(served),
     .out_valid_o(wake_valid), .out_ready_i(serve_ready[0]), .out_id_o(wake_id),
     .out_place_o(wake_place), .next_i(wake_next)
   );
@@ -196,19 +217,18 @@ module line_cache
     serve[0]         = '{id: wake_id, place: data_place_t'(wake_place)};
     serve[1]         = '{id: id_q, place: data_place_t'({set_of(line_q), found_way})};
   end
-  assign serve_valid    = Servers'({kept_valid_i, looked && found, wake_valid});
+  assign serve_valid    = Servers'({kept_valid_i, looked && found && !waits, wake_valid});
   assign kept_ready_o   = Kept != 0 && serve_ready[Servers-1];
-  assign leaves         = !found || serve_ready[1];
-  assign hit_o          = looked && found && serve_ready[1];
-  assign miss_o         = looked && !found;
+  assign leaves         = found ? waits || serve_ready[1] : !none && !served && !fill;
+  assign hit_o          = looked && found && !waits && serve_ready[1];
   stream_arb #(.data_t(serve_t), .N(Servers)) u_serve (
     .clk_i, .rst_ni, .valid_i(serve_valid), .ready_o(serve_ready), .data_i(serve),
     .valid_o(next_valid), .ready_i(next_ready), .data_o(next), .index_o()
   );
 
   // ---- Data ----
-  // Two ports: fills are written at the one, kept lines are written and all lines are read at the other.
-  (* ram_style = "block" *) logic [ReadW-1:0] data_q [1 << DataIdxW];
+  // Two ports: what comes is written at the one, kept lines are written and all lines are read at the other.
+  (* ram_style = "block" *) logic [Parts-1:0][ReadW/Parts-1:0] data_q [1 << DataIdxW];
   logic [ReadW-1:0] read_q, out_q;
   id_t              read_id_q, out_id_q;
   logic             keep, read_kept_q, out_kept_q, chain_ready;
@@ -222,7 +242,10 @@ module line_cache
     .valid_o(out_valid_o), .ready_i(out_ready_i), .load_o(load)
   );
   always @(posedge clk_i) begin
-    if (fill) data_q[data_place_t'(fill_place)] <= fill_data_q;
+    if (data_valid_i) begin
+      for (int unsigned p = 0; p < Parts; p++)
+        if (Parts == 1 || data_part_i == PartW'(p)) data_q[data_place_t'(data_place)][p] <= data_i;
+    end
   end
   always @(posedge clk_i) begin
     if (load[0] || keep) begin

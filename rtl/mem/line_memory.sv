@@ -48,7 +48,7 @@ module line_memory
     $error("line_memory: Ports must be 1 or 2");
   end
 
-  localparam int unsigned BufferLines = 32;
+  localparam int unsigned BufferLines = 128;
   localparam int unsigned BankLines   = (L2Lines == 0) ? BufferLines : L2Lines / Ports;
   localparam int unsigned IdxW        = (Clients > 1) ? $clog2(Clients) : 1;
   localparam int unsigned NumberW   = $clog2(ClientMisses);
@@ -67,7 +67,10 @@ module line_memory
     logic               in_valid, in_ready, ask_valid, ask_ready, line_valid, line_ready;
     logic [IdxW-1:0]    client;
     line_req_t          in, ask;
-    line_fill_t         line;
+    logic               data_valid;
+    logic [1:0]         data_beat;
+    miss_t              data_miss, line_miss;
+    beat_t              data;
 
     for (genvar c = 0; c < Clients; c++) begin : g_client
       assign valid[c] = req_valid_i[c] && (Ports == 1 || req_i[c].line[0] == 1'(p));
@@ -77,7 +80,7 @@ module line_memory
       .clk_i, .rst_ni, .valid_i(valid), .ready_o(ready), .data_i(req_i),
       .valid_o(in_valid), .ready_i(in_ready), .data_o(in), .index_o(client)
     );
-    line_cache #(.id_t(owner_t), .Lines(BankLines), .Ways(L2Ways), .Misses(Misses), .Skip(Ports - 1)) u_bank (
+    line_cache #(.id_t(owner_t), .Lines(BankLines), .Ways(L2Ways), .Misses(Misses), .Skip(Ports - 1), .Parts(4)) u_bank (
       .clk_i, .rst_ni, .hit_o(hit_o[p]), .miss_o(miss_o[p]),
       .in_valid_i(in_valid), .in_ready_o(in_ready), .in_id_i('{client: client, miss: NumberW'(in.miss)}),
       .in_line_i(in.line),
@@ -86,12 +89,14 @@ module line_memory
       .out_valid_o(out_valid[p]), .out_ready_i(out_ready[p]), .out_id_o(out_owner[p]), .out_kept_o(),
       .out_data_o(out_data[p]),
       .req_valid_o(ask_valid), .req_ready_i(ask_ready), .req_o(ask),
-      .fill_valid_i(line_valid), .fill_ready_o(line_ready), .fill_i(line)
+      .data_valid_i(data_valid), .data_miss_i(data_miss), .data_part_i(data_beat), .data_i(data),
+      .fill_valid_i(line_valid), .fill_ready_o(line_ready), .fill_miss_i(line_miss)
     );
     line_port #(.Lines(Misses)) u_port (
       .clk_i, .rst_ni, .base_i,
       .in_valid_i(ask_valid), .in_ready_o(ask_ready), .in_i(ask),
-      .out_valid_o(line_valid), .out_ready_i(line_ready), .out_o(line),
+      .data_valid_o(data_valid), .data_miss_o(data_miss), .data_beat_o(data_beat), .data_o(data),
+      .out_valid_o(line_valid), .out_ready_i(line_ready), .out_miss_o(line_miss),
       .req_valid_o(read_valid_o[p]), .req_ready_i(read_ready_i[p]), .req_o(read_o[p]),
       .rsp_valid_i(rsp_valid_i[p]), .rsp_i(rsp_i[p])
     );

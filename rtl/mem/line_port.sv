@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fetches lines through one client of an axi_reader: a burst of four beats each. Lines come in the
-// order of their requests (one AXI ID) and are given under the numbers of those.
-// Each beat has its place before it is asked for: at most Lines lines may be asked for and not
-// given, which is for the user to keep.
-// A request is passed on in its own cycle; a line is offered the cycle after its last beat.
+// order of their requests (one AXI ID). Each beat is passed on as it comes, with the number of its line
+// and its own, and after the last the line's number is offered: every beat has its place before it is
+// asked for.
+// At most Lines lines may be asked for and not given, which is for the user to keep.
+// A request is passed on in its own cycle, a beat too; a line is offered the cycle after its last beat.
 module line_port
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
@@ -18,9 +19,14 @@ module line_port
   output logic       in_ready_o,
   input  line_req_t  in_i,
 
+  output logic       data_valid_o,
+  output miss_t      data_miss_o,
+  output logic [1:0] data_beat_o,
+  output beat_t      data_o,
+
   output logic       out_valid_o,
   input  logic       out_ready_i,
-  output line_fill_t out_o,
+  output miss_t      out_miss_o,
 
   output logic       req_valid_o,
   input  logic       req_ready_i,
@@ -31,13 +37,8 @@ module line_port
   if (LineBytes != 4 * StrbW || $bits(line_data_t) != 8 * LineBytes) begin : g_line
     $error("line_port: a line must be four beats");
   end
-  localparam int unsigned PtrW = $clog2(Lines);
-  localparam int unsigned CntW = $clog2(Lines + 1);
-  localparam logic [PtrW-1:0] Last = PtrW'(Lines - 1);
-
   // ---- Ask ----
-  logic  order_ready, give;
-  miss_t miss;
+  logic order_ready, whole;
   assign in_ready_o  = req_ready_i && order_ready;
   assign req_valid_o = in_valid_i && order_ready;
   assign req_o       = '{addr: base_i + addr_t'({in_i.line, {$clog2(LineBytes){1'b0}}}),
@@ -45,46 +46,31 @@ module line_port
   stream_fifo #(.data_t(miss_t), .Depth(Lines)) u_order (
     .clk_i, .rst_ni,
     .valid_i(in_valid_i && req_ready_i), .ready_o(order_ready), .data_i(in_i.miss),
-    .valid_o(), .ready_i(give), .data_o(miss), .used_o()
+    .valid_o(), .ready_i(whole), .data_o(data_miss_o), .used_o()
   );
 
-  // ---- Beats: number b of a line in memory b ----
-  logic [1:0]      beat_q;
-  logic [PtrW-1:0] head_q, tail_q;
-  logic [CntW-1:0] whole_q;         // lines
-  logic            whole;           // one more, with this beat
-  beat_t [3:0]     beats;
-  assign whole = rsp_valid_i && beat_q == 2'd3;
-  for (genvar b = 0; b < 4; b++) begin : g_beat
-    beat_t mem_q [Lines];
-    always_ff @(posedge clk_i) begin
-      if (rsp_valid_i && beat_q == 2'(b)) mem_q[tail_q] <= rsp_i.data;
-    end
-    assign beats[b] = mem_q[head_q];
-  end
-
-  assign out_valid_o = whole_q != '0;
-  assign out_o       = '{miss: miss, data: beats};
-  assign give        = out_valid_o && out_ready_i;
+  // ---- Beats ----
+  logic [1:0] beat_q;
+  logic       out_ready;
+  assign data_valid_o = rsp_valid_i;
+  assign data_beat_o  = beat_q;
+  assign data_o       = rsp_i.data;
+  assign whole        = rsp_valid_i && beat_q == 2'd3;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      beat_q  <= '0;
-      head_q  <= '0;
-      tail_q  <= '0;
-      whole_q <= '0;
-    end else begin
-      if (rsp_valid_i) beat_q <= beat_q + 1'b1;
-      if (whole) tail_q <= (tail_q == Last) ? '0 : tail_q + 1'b1;
-      if (give) head_q <= (head_q == Last) ? '0 : head_q + 1'b1;
-      if (whole != give) whole_q <= whole ? whole_q + 1'b1 : whole_q - 1'b1;
-    end
+    if (!rst_ni) beat_q <= '0;
+    else if (rsp_valid_i) beat_q <= beat_q + 1'b1;
   end
+  stream_fifo #(.data_t(miss_t), .Depth(Lines)) u_whole (
+    .clk_i, .rst_ni,
+    .valid_i(whole), .ready_o(out_ready), .data_i(data_miss_o),
+    .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_miss_o), .used_o()
+  );
 
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni && whole) begin
       assert (rsp_i.last) else $error("a line of more than four beats");
-      assert (whole_q != CntW'(Lines)) else $error("a line came that has no place");
+      assert (out_ready) else $error("a line came that has no place");
     end
   end
 `endif

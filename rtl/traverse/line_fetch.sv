@@ -87,6 +87,8 @@ module line_fetch
     .kept_valid_i(head_valid && head.kept), .kept_ready_o(kept_ready),
     .kept_id_i(head.ctx), .kept_index_i(KeptW'(head.index)),
     .out_valid_o, .out_ready_i, .out_id_o(out_ctx_o), .out_kept_o, .out_data_o,
-    .req_valid_o, .req_ready_i, .req_o, .fill_valid_i, .fill_ready_o, .fill_i
+    .req_valid_o, .req_ready_i, .req_o,
+    .data_valid_i(fill_valid_i), .data_miss_i(fill_i.miss), .data_part_i('0), .data_i(fill_i.data[ReadW-1:0]),
+    .fill_valid_i, .fill_ready_o, .fill_miss_i(fill_i.miss)
   );
 endmodule

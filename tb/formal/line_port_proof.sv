@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // mem/line_port: its user asks for lines of a window, at most Lines that are not given yet. Then every burst is one
-// whole line inside the window, and each line comes once, in order, under its number, with its own four beats.
+// whole line inside the window, each beat is passed on with its line's number and its own, and each line is given
+// once, in order, after its four beats.
 // Prove: k=1 Lines=2
 // Prove: k=1 Lines=3
 // Cover: 24
@@ -26,8 +27,10 @@ module line_port_proof
   localparam int unsigned PtrW  = $clog2(Lines);
   localparam int unsigned BeatW = CntW + 3;
   typedef logic [BeatW-1:0] beats_t;
-  logic       in_ready_o, out_valid_o, req_valid_o;
-  line_fill_t out_o;
+  logic       in_ready_o, data_valid_o, out_valid_o, req_valid_o;
+  miss_t      data_miss_o, out_miss_o;
+  logic [1:0] data_beat_o;
+  beat_t      data_o;
   read_req_t  req_o;
   read_rsp_t  rsp_i;
   line_port #(.Lines(Lines)) u_dut (.*);
@@ -55,7 +58,7 @@ module line_port_proof
   miss_t           miss;
   stream_follow #(.data_t(miss_t), .Most(Lines)) u_follow (
     .clk_i, .rst_ni, .choose_i, .push_i(ask), .in_i(in_i.miss),
-    .out_valid_i(out_valid_o), .out_ready_i(out_ready_i), .out_i(out_o.miss),
+    .out_valid_i(out_valid_o), .out_ready_i(out_ready_i), .out_i(out_miss_o),
     .inside_o(asked), .follows_o(follows), .ahead_o(ahead), .item_o(miss)
   );
 
@@ -63,12 +66,10 @@ module line_port_proof
   logic [1:0] beat_q;
   beats_t     before_q;
   logic       came_q, comes;
-  logic [7:0] data_q, given;    // its lowest byte: the bits of a beat go the same way
-  stream_held #(.data_t(logic [MissW+7:0])) u_out (
-    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .data_i({out_o.miss, given})
+  stream_held #(.data_t(miss_t)) u_out (
+    .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .data_i(out_miss_o)
   );
-  assign comes = rsp_valid_i && before_q == '0 && !came_q;
-  assign given = out_o.data[DataW*beat_i +: 8];
+  assign comes = follows && rsp_valid_i && before_q == '0 && !came_q;
   logic first_q = 1'b1;
   addr_t             base_q;
   logic [LineNoW:0]  lines_q;
@@ -82,7 +83,6 @@ module line_port_proof
       before_q <= due_q - beats_t'(rsp_valid_i) + beats_t'(beat_i);
     end else if (comes) begin
       came_q <= 1'b1;
-      data_q <= data_i[7:0];
     end else if (rsp_valid_i && !came_q) before_q <= before_q - 1'b1;
   end
 
@@ -91,20 +91,11 @@ module line_port_proof
     sum = (CntW+1)'(place) + (CntW+1)'(more);
     return PtrW'((sum >= (CntW+1)'(Lines)) ? sum - (CntW+1)'(Lines) : sum);
   endfunction
-  logic [PtrW-1:0] place;
-  logic [7:0]      kept;
-  beats_t          here, its;    // beats here of the lines not given; those up to the followed beat, without it
-  assign place = behind(u_dut.head_q, ahead);
-  assign here  = (beats_t'(u_dut.whole_q) << 2) + beats_t'(u_dut.beat_q);
-  assign its   = (beats_t'(ahead) << 2) + beats_t'(beat_i);
-  always_comb begin
-    unique case (beat_i)
-      2'd0:    kept = u_dut.g_beat[0].mem_q[place][7:0];
-      2'd1:    kept = u_dut.g_beat[1].mem_q[place][7:0];
-      2'd2:    kept = u_dut.g_beat[2].mem_q[place][7:0];
-      default: kept = u_dut.g_beat[3].mem_q[place][7:0];
-    endcase
-  end
+  // Lines that are waited for, and those that came; of the followed one those before it that are waited for.
+  logic [CntW-1:0] waits, whole, earlier;
+  assign waits  = CntW'(u_dut.u_order.used_q);
+  assign whole  = CntW'(u_dut.u_whole.used_q);
+  assign earlier = ahead - whole;
 
   always_comb begin
     if (!first_q) stand_still: assume (beat_i == beat_q && base_i == base_q && lines_i == lines_q);
@@ -115,18 +106,22 @@ module line_port_proof
 
       if (req_valid_o) a_whole_line: assert (req_o.beats == 5'd4 && req_o.addr[5:0] == '0);
       if (req_valid_o) the_line_asked_for: assert (req_o.addr == base_i + (addr_t'(in_i.line) << 6));
-      if (out_valid_o && follows && ahead == '0) its_own_beats: assert (came_q && given == data_q);
+      if (out_valid_o && follows && ahead == '0) after_its_beats: assert (came_q);
+      a_beat_each: assert (data_valid_o == rsp_valid_i && data_o == rsp_i.data);
+      if (comes) its_own_beats: assert (data_miss_o == miss && data_beat_o == beat_i);
       nothing_lost: assert (out_valid_o == (asked != '0 && due_q <= beats_t'(asked - 1'b1) << 2));
 
-      inv_counts: assert ((beats_t'(asked) << 2) == here + due_q && due_q <= beats_t'(4 * Lines) && here <= beats_t'(4 * Lines));
-      inv_order: assert (CntW'(u_dut.u_order.used_q) == asked);
-      inv_places: assert ((CntW+1)'(u_dut.head_q) < (CntW+1)'(Lines) && u_dut.tail_q == behind(u_dut.head_q, CntW'(u_dut.whole_q)));
-      inv_order_places: assert ((CntW+1)'(u_dut.u_order.head_q) < (CntW+1)'(Lines) &&
-                                u_dut.u_order.tail_q == behind(u_dut.u_order.head_q, asked));
-      if (follows) begin
-        inv_miss: assert (u_dut.u_order.mem_q[behind(u_dut.u_order.head_q, ahead)] == miss);
-        inv_came: assert (came_q == (here > its) && (came_q || before_q == its - here));
-        if (came_q) inv_beat: assert (kept == data_q);
+      inv_counts: assert (asked == waits + whole && due_q == (beats_t'(waits) << 2) - beats_t'(u_dut.beat_q) &&
+                          asked <= CntW'(Lines) && (waits != '0 || u_dut.beat_q == '0));
+      inv_order: assert ((CntW+1)'(u_dut.u_order.head_q) < (CntW+1)'(Lines) && waits <= CntW'(Lines) &&
+                         u_dut.u_order.tail_q == behind(u_dut.u_order.head_q, waits));
+      inv_whole: assert ((CntW+1)'(u_dut.u_whole.head_q) < (CntW+1)'(Lines) && whole <= CntW'(Lines) &&
+                         u_dut.u_whole.tail_q == behind(u_dut.u_whole.head_q, whole));
+      if (follows && ahead < whole) inv_came: assert (came_q && u_dut.u_whole.mem_q[behind(u_dut.u_whole.head_q, ahead)] == miss);
+      if (follows && ahead >= whole) begin
+        inv_miss: assert (u_dut.u_order.mem_q[behind(u_dut.u_order.head_q, earlier)] == miss);
+        inv_before: assert (came_q == (earlier == '0 && u_dut.beat_q > beat_i) &&
+                            (came_q || before_q == (beats_t'(earlier) << 2) + beats_t'(beat_i) - beats_t'(u_dut.beat_q)));
       end
 
       c_full: cover (asked == CntW'(Lines) && due_q == '0);

@@ -62,7 +62,8 @@ module line_system_tb
       .out_valid_o(out_valid_o[i]), .out_ready_i(out_ready_i[i]), .out_id_o(out_id_o[i]), .out_kept_o(),
       .out_data_o(out_data_o[i]),
       .req_valid_o(req_valid[i]), .req_ready_i(req_ready[i]), .req_o(req[i]),
-      .fill_valid_i(fill_valid[i]), .fill_ready_o(fill_ready[i]), .fill_i(fill)
+      .data_valid_i(fill_valid[i]), .data_miss_i(fill.miss), .data_part_i('0), .data_i(fill.data),
+      .fill_valid_i(fill_valid[i]), .fill_ready_o(fill_ready[i]), .fill_miss_i(fill.miss)
     );
   end
 
