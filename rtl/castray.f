@@ -14,6 +14,7 @@ rtl/prim/pipe_stage.sv
 rtl/prim/stream_arb.sv
 rtl/prim/stream_check.sv
 rtl/prim/stream_fifo.sv
+rtl/prim/block_fifo.sv
 rtl/prim/stream_fork.sv
 rtl/math/cordic_sqrt.sv
 rtl/math/div_pipe.sv

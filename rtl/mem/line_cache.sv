@@ -15,9 +15,9 @@
 // set is served; no other lookup waits for memory. A set's lines come while no lookup of it is in cycle
 // 2, but for one that waits there; lookups of a set wait for a line that comes. So the line before stays
 // until all who waited for it have it.
-// Kept lines lie beside the cache's in the data memory. The user writes them, and asks for them by
-// their indices, in turn with what the cache serves. Nothing is read in the cycle in which one is
-// written, and out must not be blocked then.
+// Kept lines lie beside the cache's in the data memory. The user writes them through data_i, and asks for
+// them by their indices, in turn with what the cache serves. In the cycle in which one is written no line
+// comes.
 // What comes out of out makes everything else move, so out must not wait for in or fill
 // (docs/memory.md).
 // One lookup a cycle; two cycles less for one that follows a new line of its own set. A hit takes 4 cycles
@@ -48,9 +48,8 @@ module line_cache
   input  id_t              in_id_i,
   input  line_no_t         in_line_i,
 
-  input  logic             keep_i,         // a kept line is written
+  input  logic             keep_i,         // data_i is a kept line
   input  logic [KeptW-1:0] keep_index_i,
-  input  logic [ReadW-1:0] keep_data_i,
   input  logic             kept_valid_i,   // a kept line is asked for
   output logic             kept_ready_o,
   input  id_t              kept_id_i,
@@ -85,6 +84,9 @@ module line_cache
   localparam int unsigned DataIdxW = (Kept == 0) ? PlaceW : 1 + ((KeptW > PlaceW) ? KeptW : PlaceW);
   typedef logic [DataIdxW-1:0]  data_place_t;   // kept lines in the upper half
   localparam int unsigned Servers = (Kept == 0) ? 2 : 3;
+  if (Kept != 0 && Parts != 1) begin : g_kept
+    $error("line_cache: kept lines come whole");
+  end
   function automatic set_t set_of(line_no_t number);
     return number[Skip +: SetW];
   endfunction
@@ -171,7 +173,7 @@ module line_cache
   );
 
   // ---- Fill ----
-  logic wake_room, fill_free, stuck_q;   // stuck: the lookup in cycle 2 waits for a line of its set
+  logic wake_room, fill_free, fill_ready, keep, stuck_q;   // stuck: the lookup in cycle 2 waits for a line of its set
   always_comb begin
     fill_free = 1'b0;
     if (filled) fill_free = wake_room && !(looked && !stuck_q && set_of(line_q) == fill_set);
@@ -181,8 +183,10 @@ module line_cache
     if (!rst_ni) stuck_q <= 1'b0;
     else stuck_q <= looked && !found && none;
   end
+  assign keep         = keep_i && Kept != 0;
+  assign fill_ready_o = fill_ready && !keep;
   pipe_chain #(.Stages(1)) u_fill (
-    .clk_i, .rst_ni, .valid_i(fill_valid_i), .ready_o(fill_ready_o),
+    .clk_i, .rst_ni, .valid_i(fill_valid_i && !keep), .ready_o(fill_ready),
     .valid_o(filled), .ready_i(fill_free), .load_o(fill_load)
   );
   always_ff @(posedge clk_i) begin
@@ -227,31 +231,23 @@ module line_cache
   );
 
   // ---- Data ----
-  // Two ports: what comes is written at the one, kept lines are written and all lines are read at the other.
   (* ram_style = "block" *) logic [Parts-1:0][ReadW/Parts-1:0] data_q [1 << DataIdxW];
   logic [ReadW-1:0] read_q, out_q;
   id_t              read_id_q, out_id_q;
-  logic             keep, read_kept_q, out_kept_q, chain_ready;
+  logic             read_kept_q, out_kept_q;
   logic [1:0]       load;
-  data_place_t      place;
-  assign keep       = keep_i && Kept != 0;
-  assign place      = keep ? kept_place(keep_index_i) : next.place;
-  assign next_ready = chain_ready && !keep;
+  data_place_t      write_place;
+  assign write_place = keep ? kept_place(keep_index_i) : data_place_t'(data_place);
   pipe_chain #(.Stages(2)) u_data (
-    .clk_i, .rst_ni, .valid_i(next_valid && !keep), .ready_o(chain_ready),
+    .clk_i, .rst_ni, .valid_i(next_valid), .ready_o(next_ready),
     .valid_o(out_valid_o), .ready_i(out_ready_i), .load_o(load)
   );
-  always @(posedge clk_i) begin
-    if (data_valid_i) begin
+  always_ff @(posedge clk_i) begin
+    if (data_valid_i || keep) begin
       for (int unsigned p = 0; p < Parts; p++)
-        if (Parts == 1 || data_part_i == PartW'(p)) data_q[data_place_t'(data_place)][p] <= data_i;
+        if (Parts == 1 || data_part_i == PartW'(p)) data_q[write_place][p] <= data_i;
     end
-  end
-  always @(posedge clk_i) begin
-    if (load[0] || keep) begin
-      if (keep) data_q[place] <= keep_data_i;
-      read_q <= data_q[place];
-    end
+    if (load[0]) read_q <= data_q[next.place];
   end
   always_ff @(posedge clk_i) begin
     if (load[0]) begin
@@ -269,9 +265,6 @@ module line_cache
   assign out_data_o = out_q;
 
 `ifndef SYNTHESIS
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && keep) assert (!out_valid_o || out_ready_i) else $error("a kept line is written while out is blocked");
-  end
   stream_check #(.data_t(id_t)) u_check_out (
     .clk_i, .rst_ni, .valid_i(out_valid_o), .ready_i(out_ready_i), .data_i(out_id_o)
   );

@@ -84,7 +84,7 @@ module line_memory
       .clk_i, .rst_ni, .hit_o(hit_o[p]), .miss_o(miss_o[p]),
       .in_valid_i(in_valid), .in_ready_o(in_ready), .in_id_i('{client: client, miss: NumberW'(in.miss)}),
       .in_line_i(in.line),
-      .keep_i(1'b0), .keep_index_i('0), .keep_data_i('0),
+      .keep_i(1'b0), .keep_index_i('0),
       .kept_valid_i(1'b0), .kept_ready_o(), .kept_id_i('0), .kept_index_i('0),
       .out_valid_o(out_valid[p]), .out_ready_i(out_ready[p]), .out_id_o(out_owner[p]), .out_kept_o(),
       .out_data_o(out_data[p]),

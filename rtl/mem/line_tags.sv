@@ -92,7 +92,7 @@ module line_tags
     end
   end
   for (genvar w = 0; w < Ways; w++) begin : g_way
-    entry_t way_q [Sets];
+    (* ram_style = "block" *) entry_t way_q [Sets];
     entry_t look_q;
     logic                full_q;
     logic [Groups-1:0]   same_q;

@@ -88,7 +88,8 @@ package castray_cfg_pkg;
   localparam int unsigned DefaultAttrEntries = 128;  // places of the attribute cache
 
   // ---- Sizes in the core that are no parameters of it ----
-  localparam int unsigned DefaultCacheLines  = 512;  // of nodes in each lane, and of leaves
+  localparam int unsigned DefaultCacheLines  = 512;  // of leaves in each lane
+  localparam int unsigned DefaultNodeLines   = 256;  // of nodes in each lane, beside as many places for those of tiles
   localparam int unsigned DefaultStartLines  = 128;  // of nodes to start tiles
   localparam int unsigned DefaultCacheWays   = 2;
   localparam int unsigned DefaultCacheMisses = 16;   // lines that one waits for

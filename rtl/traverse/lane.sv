@@ -18,7 +18,7 @@ module lane
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned NodeLines = DefaultCacheLines,   // of the caches
+  parameter int unsigned NodeLines = DefaultNodeLines,    // of the caches
   parameter int unsigned LeafLines = DefaultCacheLines,
   parameter int unsigned TileNodes = tile_nodes(tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)),   // nodes of tiles' frontiers
   parameter bit          GateClocks = 1'b0,
@@ -41,9 +41,8 @@ module lane
   input  ctx_t             test_ctx_i,
   input  prim_slot_t       test_prim_i,
 
-  input  logic             tile_write_i,
+  input  logic             tile_write_i,   // node_fill_i.data is a node of a tile's frontier
   input  logic [TileW-1:0] tile_index_i,
-  input  node_t            tile_node_i,
 
   output logic             cand_valid_o,   // accepted tests, to the hit unit of all lanes
   input  logic             cand_ready_i,
@@ -155,7 +154,7 @@ module lane
   node_visits #(.Contexts(Contexts), .Lines(NodeLines), .TileNodes(TileNodes)) u_nodes (
     .clk_i(tree_clk), .rst_ni, .base_i(tree_i.node_base), .count_i(tree_i.node_count),
     .visit_valid_i(to_node), .visit_ctx_i(next_ctx), .visit_ref_i(target),
-    .tile_write_i, .tile_index_i, .tile_node_i,
+    .tile_write_i, .tile_index_i,
     .ray_ctx_o(node_ctx), .ray_i(node_ray), .t_i(node_t_near),
     .out_valid_o(node_done), .out_ctx_o(node_done_ctx), .out_o(visits), .fault_o(node_fault),
     .req_valid_o(node_req_valid_o), .req_ready_i(node_req_ready_i), .req_o(node_req_o),
@@ -175,7 +174,7 @@ module lane
   line_fetch #(.Contexts(Contexts), .Lines(LeafLines), .Fault(ErrLeaf)) u_leaves (
     .clk_i(tree_clk), .rst_ni, .base_i(tree_i.leaf_base), .count_i(tree_i.leaf_count),
     .visit_valid_i(to_leaf), .visit_ctx_i(next_ctx), .visit_ref_i(target),
-    .keep_i(1'b0), .keep_index_i('0), .keep_data_i('0),
+    .keep_i(1'b0), .keep_index_i('0),
     .out_valid_o(line_valid), .out_ready_i(line_ready), .out_ctx_o(line_ctx), .out_kept_o(), .out_index_o(),
     .out_data_o(line),
     .fault_o(leaf_fault),

@@ -24,9 +24,8 @@ module line_fetch
   input  ctx_t        visit_ctx_i [2],
   input  ref_t        visit_ref_i [2],
 
-  input  logic             keep_i,        // writes a kept line
+  input  logic             keep_i,        // fill_i.data is a line to keep; no fill is taken then
   input  logic [KeptW-1:0] keep_index_i,
-  input  logic [ReadW-1:0] keep_data_i,
 
   output logic        out_valid_o,
   input  logic        out_ready_i,
@@ -83,7 +82,7 @@ module line_fetch
     .clk_i, .rst_ni, .hit_o, .miss_o,
     .in_valid_i(ask), .in_ready_o(cache_ready),
     .in_id_i(head.ctx), .in_line_i(base_i + line_no_t'(head.index)),
-    .keep_i, .keep_index_i, .keep_data_i,
+    .keep_i, .keep_index_i,
     .kept_valid_i(head_valid && head.kept), .kept_ready_o(kept_ready),
     .kept_id_i(head.ctx), .kept_index_i(KeptW'(head.index)),
     .out_valid_o, .out_ready_i, .out_id_o(out_ctx_o), .out_kept_o, .out_data_o,

@@ -12,7 +12,7 @@ module node_visits
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
   parameter int unsigned Contexts  = DefaultContexts,
-  parameter int unsigned Lines     = DefaultCacheLines,   // of the cache
+  parameter int unsigned Lines     = DefaultNodeLines,   // of the cache
   parameter int unsigned TileNodes = tile_nodes(tile_slots(DefaultLanes, DefaultContexts, DefaultTileLog2)),
   localparam int unsigned TileW    = $clog2(TileNodes)
 ) (
@@ -26,9 +26,8 @@ module node_visits
   input  ctx_t             visit_ctx_i [2],
   input  ref_t             visit_ref_i [2],
 
-  input  logic             tile_write_i,    // a node of a tile's frontier
+  input  logic             tile_write_i,    // fill_i.data is a node of a tile's frontier; no fill is taken then
   input  logic [TileW-1:0] tile_index_i,
-  input  node_t            tile_node_i,
 
   output ctx_t             ray_ctx_o,       // who is tested
   input  slab_ray_t        ray_i,
@@ -64,7 +63,7 @@ module node_visits
   line_fetch #(.Contexts(Contexts), .Lines(Lines), .Fault(ErrNode), .Kept(TileNodes), .ReadW(NodeW)) u_fetch (
     .clk_i, .rst_ni, .base_i, .count_i,
     .visit_valid_i, .visit_ctx_i, .visit_ref_i,
-    .keep_i(tile_write_i), .keep_index_i(tile_index_i), .keep_data_i(stored_t'(tile_node_i)),
+    .keep_i(tile_write_i), .keep_index_i(tile_index_i),
     .out_valid_o(node_valid), .out_ready_i(1'b1), .out_ctx_o(node_ctx), .out_kept_o(in_tile), .out_index_o(index),
     .out_data_o(stored), .fault_o(fetch_fault),
     .req_valid_o, .req_ready_i, .req_o, .fill_valid_i, .fill_ready_o, .fill_i,

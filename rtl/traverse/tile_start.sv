@@ -123,7 +123,7 @@ module tile_start
     .clk_i, .rst_ni, .base_i(nodes_i), .count_i(node_count_i),
     .visit_valid_i({1'b0, ask_valid}), .visit_ctx_i('{ask_tile, '0}),
     .visit_ref_i('{'{kind: RefNode, index: ask_index}, '0}),
-    .keep_i(1'b0), .keep_index_i('0), .keep_data_i('0),
+    .keep_i(1'b0), .keep_index_i('0),
     .out_valid_o(node_valid), .out_ready_i(node_ready), .out_ctx_o(node_tile), .out_kept_o(), .out_index_o(),
     .out_data_o(node),
     .fault_o(fetch_fault),

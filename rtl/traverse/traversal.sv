@@ -166,6 +166,13 @@ module traversal
     .busy_o(hit_busy_o)
   );
 
+  // Nodes of tiles' frontiers go to the lanes where lines from memory do.
+  line_fill_t node_fill;
+  always_comb begin
+    node_fill = fill_i;
+    if (store_valid_i) node_fill.data = line_data_t'(store_node_i);
+  end
+
   for (genvar i = 0; i < Lanes; i++) begin : g_lane
     logic [SlotW-1:0] tile_slot;
     ray_t             ray;
@@ -173,8 +180,8 @@ module traversal
     assign tile_slot  = ray.tag.slot[SlotW-1:0];
     assign left_o[i]  = !brute_i && ray_valid[i] && ray_ready[i];
 
-    stream_fifo #(.data_t(ray_t), .Depth(ray_queue(TileLog2))) u_queue (
-      .clk_i, .rst_ni, .used_o(),
+    block_fifo #(.data_t(ray_t), .Depth(ray_queue(TileLog2))) u_queue (
+      .clk_i, .rst_ni,
       .valid_i(brute_i ? dealt_valid[i] : in_valid_i && to_lane[i]), .ready_o(queue_ready[i]), .data_i(in_i),
       .valid_o(ray_valid[i]), .ready_i(ray_ready[i]), .data_o(ray)
     );
@@ -185,14 +192,13 @@ module traversal
       .test_valid_i(test_valid), .test_ready_o(test_ready[i]), .test_step_i(&test_ready),
       .test_ctx_i(test_ctx), .test_prim_i(test_prim),
       .tile_write_i(store_valid_i), .tile_index_i({store_slot_i[SlotW-1:0], store_second_i}),
-      .tile_node_i(store_node_i),
       .cand_valid_o(cand_valid[i]), .cand_ready_i(cand_ready[i]), .cand_o(cand[i]), .cand_ray_o(cand_ray[i]),
       .hit_over_i(hit_over[i]), .result_valid_i(result_valid[i]), .result_i(result),
       .emit_i(emit || !brute_i),
       .hit_valid_o(hit_valid[i]), .hit_ready_i(hit_ready[i]), .hit_o(cast[i].hit), .work_o(cast[i].work),
       .fault_o(lane_fault[i]),
       .node_req_valid_o(line_valid_o[2*i]), .node_req_ready_i(line_ready_i[2*i]), .node_req_o(line_o[2*i]),
-      .node_fill_valid_i(fill_valid_i[2*i]), .node_fill_ready_o(fill_ready_o[2*i]), .node_fill_i(fill_i),
+      .node_fill_valid_i(fill_valid_i[2*i]), .node_fill_ready_o(fill_ready_o[2*i]), .node_fill_i(node_fill),
       .leaf_req_valid_o(line_valid_o[2*i+1]), .leaf_req_ready_i(line_ready_i[2*i+1]), .leaf_req_o(line_o[2*i+1]),
       .leaf_fill_valid_i(fill_valid_i[2*i+1]), .leaf_fill_ready_o(fill_ready_o[2*i+1]), .leaf_fill_i(fill_i),
       .used_o(used[i]), .full_o(full[i]), .empty_o(lane_empty[i]), .quiet_o(quiet[i]),

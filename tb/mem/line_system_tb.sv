@@ -57,7 +57,7 @@ module line_system_tb
     line_cache #(.Lines(Lines[i])) u_cache (
       .clk_i, .rst_ni, .hit_o(hit_o[i]), .miss_o(miss_o[i]),
       .in_valid_i(in_valid_i[i]), .in_ready_o(in_ready_o[i]), .in_id_i(in_id_i[i]), .in_line_i(in_line_i[i]),
-      .keep_i(1'b0), .keep_index_i('0), .keep_data_i('0),
+      .keep_i(1'b0), .keep_index_i('0),
       .kept_valid_i(1'b0), .kept_ready_o(), .kept_id_i('0), .kept_index_i('0),
       .out_valid_o(out_valid_o[i]), .out_ready_i(out_ready_i[i]), .out_id_o(out_id_o[i]), .out_kept_o(),
       .out_data_o(out_data_o[i]),

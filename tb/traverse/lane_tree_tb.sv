@@ -54,15 +54,20 @@ module lane_tree_tb
     .over_o(hit_over), .result_valid_o(result_valid), .result_o(result), .busy_o()
   );
 
+  line_fill_t node_fill;
+  always_comb begin
+    node_fill = node_fill_i;
+    if (tile_write_i) node_fill.data = line_data_t'(tile_node_i);
+  end
   lane #(.Contexts(Contexts), .NodeLines(NodeLines), .LeafLines(LeafLines), .TileNodes(TileNodes)) u_lane (
     .clk_i, .rst_ni, .hierarchy_i(1'b1), .tree_i, .fill_i(1'b1), .emit_i(1'b1),
     .ray_valid_i(in_valid_i), .ray_ready_o(in_ready_o), .ray_i(in_i), .start_i,
     .test_valid_i(1'b0), .test_ready_o(), .test_step_i(1'b0), .test_ctx_i('0), .test_prim_i('0),
-    .tile_write_i, .tile_index_i, .tile_node_i,
+    .tile_write_i, .tile_index_i,
     .cand_valid_o(cand_valid), .cand_ready_i(cand_ready), .cand_o(cand[0]), .cand_ray_o(cand_ray[0]),
     .hit_over_i(hit_over), .result_valid_i(result_valid), .result_i(result),
     .hit_valid_o(out_valid_o), .hit_ready_i(out_ready_i), .hit_o(out_o), .work_o, .fault_o,
-    .node_req_valid_o, .node_req_ready_i, .node_req_o, .node_fill_valid_i, .node_fill_ready_o, .node_fill_i,
+    .node_req_valid_o, .node_req_ready_i, .node_req_o, .node_fill_valid_i, .node_fill_ready_o, .node_fill_i(node_fill),
     .leaf_req_valid_o, .leaf_req_ready_i, .leaf_req_o, .leaf_fill_valid_i, .leaf_fill_ready_o, .leaf_fill_i,
     .used_o(), .full_o(), .empty_o, .quiet_o(), .events_o
   );

@@ -35,7 +35,7 @@ class NodeVisits : public testing::TestWithParam<Stalls> {
     for (std::size_t i = 0; i < tile.size(); ++i) tile[i] = load_node(image.bytes.data(), image.header, i * 7);
     for (std::size_t i = 0; i < tile.size(); ++i, dut.tick()) {
       dut->tile_write_i = 1, dut->tile_index_i = i;
-      set_port(dut->tile_node_i, tile[i]);
+      set_port(dut->fill_i, line_of(tile[i]));
     }
     dut->tile_write_i = 0;
   }
@@ -53,6 +53,7 @@ class NodeVisits : public testing::TestWithParam<Stalls> {
   // One cycle with its memory. The context whose children came, or -1.
   int cycle(LineMemoryModel& memory) {
     memory.drive(dut);
+    if (written) set_port(dut->fill_i, line_of(*written));
     dut.settle();
     const Context& tested = contexts[std::min<int>(dut->ray_ctx_o, kContexts - 1)];
     set_port(dut->ray_i, slab_ray_of(tested.ray));
@@ -65,7 +66,14 @@ class NodeVisits : public testing::TestWithParam<Stalls> {
     memory.observe(dut);
     dut.tick();
     dut->visit_valid_i = dut->tile_write_i = 0;
+    written = nullptr;
     return came;
+  }
+  static line_fill_t line_of(const node_t& node) {
+    line_fill_t fill;
+    const auto words = pack(node);
+    std::copy(words.begin(), words.end(), fill.data.begin());
+    return fill;
   }
   LineMemoryModel memory_of(const Stalls& stalls) {
     return {[this](line_no_t line) { return line_at(image, line); }, stalls, 5};
@@ -75,6 +83,7 @@ class NodeVisits : public testing::TestWithParam<Stalls> {
   std::vector<node_t> tile = std::vector<node_t>(8);
   std::vector<Context> contexts;
   visits_t visits;
+  const node_t* written = nullptr;   // a tile's node, in this cycle
   error_t fault = ErrNone;
   long tests = 0;
   Dut<Vnode_visits> dut;
@@ -104,7 +113,7 @@ TEST_P(NodeVisits, MatchesModel) {
     if (rng() % 2 && std::none_of(contexts.begin(), contexts.end(), at_fresh)) {
       tile[fresh] = load_node(image.bytes.data(), image.header, rng() % 50);
       dut->tile_write_i = 1, dut->tile_index_i = fresh;
-      set_port(dut->tile_node_i, tile[fresh]);
+      written = &tile[fresh];
     }
     const int ctx = cycle(memory);
     ASSERT_EQ(fault, ErrNone);
