@@ -18,43 +18,34 @@ module stream_arb #(
   output data_t           data_o,
   output logic [IdxW-1:0] index_o
 );
-  logic            locked_q;
-  logic [IdxW-1:0] index_q;      // the input served last, or, when locked, offered now
-  logic [IdxW-1:0] pick;
-
-  // The first offered input behind the one served last.
-  function automatic logic [IdxW-1:0] next_of(logic [N-1:0] offered, logic [IdxW-1:0] last);
-    logic [IdxW-1:0] at;
-    next_of = last;
-    at = last;
-    for (int unsigned i = 0; i < N; i++) begin
-      // From the lowest priority, the one served last, to the highest, the one behind it.
-      if (offered[at]) next_of = at;
-      at = (at == '0) ? IdxW'(N - 1) : at - 1'b1;
-    end
-  endfunction
-
-  always_comb begin
-    pick = index_q;
-    if (!locked_q && valid_i != '0) pick = next_of(valid_i, index_q);
+  logic [N-1:0] early_q;   // come before the others: those behind the input served last, or from the one that waits on
+  logic [N-1:0] offered, given, ahead;
+  assign offered = ((valid_i & early_q) != '0) ? valid_i & early_q : valid_i;
+  for (genvar i = 0; i < N; i++) begin : g_turn
+    assign given[i]  = offered[i] && (offered & N'((1 << i) - 1)) == '0;   // the first
+    assign ahead[i]  = (offered & N'((2 << i) - 1)) == '0;                 // those before it
   end
 
   assign valid_o = |valid_i;
-  assign index_o = pick;
-  assign data_o  = data_i[pick];
+  assign ready_o = given & {N{ready_i}};
   always_comb begin
-    ready_o       = '0;
-    ready_o[pick] = ready_i;
+    index_o = '0;
+    for (int unsigned i = 0; i < N; i++) if (given[i]) index_o |= IdxW'(i);
+  end
+
+  // Four inputs and two bits of an index are a LUT; more inputs are fewer as a sum of products.
+  if (N <= 4) begin : g_few
+    assign data_o = data_i[index_o];
+  end else begin : g_many
+    always_comb begin
+      data_o = data_t'('0);
+      for (int unsigned i = 0; i < N; i++) data_o = data_t'(data_o | (data_i[i] & {$bits(data_t){given[i]}}));
+    end
   end
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      locked_q <= 1'b0;
-      index_q  <= '0;
-    end else if (valid_o) begin
-      locked_q <= !ready_i;
-      index_q  <= pick;
-    end
+    if (!rst_ni) early_q <= ~N'(1);
+    else if (valid_o) early_q <= ready_i ? ~(ahead | given) : ~ahead;
   end
 
 `ifndef SYNTHESIS

@@ -42,8 +42,9 @@ module stream_arb_proof #(
     .clk_i, .rst_ni, .valid_i(valid_o), .ready_i, .data_i('{index: index_o, data: data_o})
   );
 
-  logic [N-1:0] taken;
+  logic [N-1:0] taken, later;
   assign taken = valid_i & ready_o;
+  assign later = ~u_dut.early_q;
   always_comb begin
     if (rst_ni) begin
       nothing_lost: assert (valid_o == (valid_i != '0));
@@ -52,16 +53,14 @@ module stream_arb_proof #(
         nothing_changed: assert (data_o == data_i[index_o]);
         from_one_input: assert (taken == (ready_i ? N'(1) << index_o : '0));
       end
-      inv_index: assert (32'(u_dut.index_q) < N);
-      if (u_dut.locked_q) inv_locked: assert (valid_i[u_dut.index_q]);
+      inv_early: assert ((later & (later + 1'b1)) == '0);   // from some input on
     end
   end
 
-  // Items given while input i waits; and how many inputs come before its turn, itself included.
+  // Items given while input i waits; and how many inputs come before its turn.
   for (genvar i = 0; i < N; i++) begin : g_fair
     count_t before_q, turn;
-    assign turn = (32'(u_dut.index_q) >= i && !(u_dut.locked_q && 32'(u_dut.index_q) == i)) ?
-                  count_t'(N + i) - count_t'(u_dut.index_q) : count_t'(i) - count_t'(u_dut.index_q);
+    assign turn = count_t'(i) - count_t'($countones(later)) + (later[i] ? count_t'(N) : '0);
     always_ff @(posedge clk_i) begin
       if (!rst_ni || !valid_i[i] || taken[i]) before_q <= '0;
       else if (valid_o && ready_i) before_q <= before_q + 1'b1;
@@ -69,8 +68,7 @@ module stream_arb_proof #(
     always_comb begin
       if (rst_ni) begin
         if (valid_i[i]) fair: assert (before_q <= count_t'(N - 1));
-        if (valid_i[i])
-          inv_turn: assert (before_q + turn <= (u_dut.locked_q ? count_t'(N - 1) : count_t'(N)));
+        if (valid_i[i]) inv_turn: assert (before_q + turn <= count_t'(N - 1));
         else inv_none: assert (before_q == '0);
       end
     end
