@@ -7,7 +7,8 @@
 //   brute force  in -> ray_dispatch -> the lanes' queues -> lane[Lanes] -> arb -> out
 //                prim_reader -> brute_walk -^ (all lanes)
 //
-// Hits leave in another order than their rays came; pixels that meet nothing (miss_*) join them.
+// Hits leave in another order than their rays came; pixels that meet nothing (miss_*) join them. Of such
+// a pixel's record tag, found and work are told, the rest is any; of a lane's ray that missed all is told.
 // is_list_i, brute_i, tree_i, root_i, lines_i stand still from the first ray until idle.
 // Model: cpp_model/traverse/lane.hpp, equal bit for bit.
 module traversal
@@ -152,7 +153,7 @@ module traversal
 
   // ---- Lanes ----
   logic [Lanes-1:0] hit_valid, hit_ready, found;
-  cast_t            cast [Lanes+1];
+  cast_t            cast [Lanes];
   error_t           lane_fault [Lanes];
   logic [Lanes-1:0] cand_valid, cand_ready, hit_over, result_valid;
   cand_t            cand [Lanes];
@@ -213,17 +214,28 @@ module traversal
   assign none_queued = ray_valid == '0;
   assign idle_o      = brute_i ? brute_idle : (exhausted_i && &lane_empty && none_queued);
 
-  // ---- Out ----
-  always_comb begin
-    cast[Lanes]         = '0;
-    cast[Lanes].hit.tag = miss_i;
-    cast[Lanes].hit.t   = TMax;
-  end
-  stream_arb #(.data_t(cast_t), .N(Lanes + 1)) u_merge (
+  // ---- Out: the lanes' hits, and the misses, which are a tag only ----
+  logic       cast_valid, cast_ready, out_is_miss;
+  cast_t      lanes_cast;
+  pixel_tag_t out_tag;
+  stream_arb #(.data_t(cast_t), .N(Lanes)) u_merge (
     .clk_i, .rst_ni,
-    .valid_i({miss_valid_i, hit_valid}), .ready_o({miss_ready_o, hit_ready}), .data_i(cast),
-    .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_o), .index_o()
+    .valid_i(hit_valid), .ready_o(hit_ready), .data_i(cast),
+    .valid_o(cast_valid), .ready_i(cast_ready), .data_o(lanes_cast), .index_o()
   );
+  stream_arb #(.data_t(pixel_tag_t), .N(2)) u_out (
+    .clk_i, .rst_ni,
+    .valid_i({miss_valid_i, cast_valid}), .ready_o({miss_ready_o, cast_ready}), .data_i('{lanes_cast.hit.tag, miss_i}),
+    .valid_o(out_valid_o), .ready_i(out_ready_i), .data_o(out_tag), .index_o(out_is_miss)
+  );
+  always_comb begin
+    out_o         = lanes_cast;
+    out_o.hit.tag = out_tag;
+    if (out_is_miss) begin
+      out_o.work      = '0;
+      out_o.hit.found = 1'b0;
+    end
+  end
 
   always_comb begin
     fault_o = brute_i ? reader_fault : ErrNone;
