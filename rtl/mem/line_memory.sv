@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The memory behind the caches of Clients: one or two ports, each with its bank of a shared second
 // cache. The lowest bit of a line's number chooses between two.
-//   take   each bank: the clients' requests, round robin
+//   take   each bank: the clients' requests, round robin, into a register
 //   bank   a line_cache, in which a client's miss is who asks: it merges requests for one line and
 //          has at most Misses lines under way
 //   port   line_port: to an axi_reader's client and back
@@ -9,7 +9,7 @@
 // L2Lines are the lines of all banks together, or 0: then a bank has only BufferLines, through
 // which lines pass.
 // base_i is the address of line 0, an image's start, and stands still while a line is under way.
-// A line of the second cache is offered to its client 5 cycles after the request was offered.
+// A line of the second cache is offered to its client 6 cycles after the request was offered.
 module line_memory
   import castray_cfg_pkg::*, castray_pkg::*, castray_image_pkg::*;
 #(
@@ -56,6 +56,10 @@ module line_memory
     logic [IdxW-1:0]    client;
     logic [NumberW-1:0] miss;
   } owner_t;
+  typedef struct packed {
+    owner_t   owner;
+    line_no_t line;
+  } bank_req_t;
 
   // ---- Banks ----
   logic [Ports-1:0]              out_valid, out_ready;
@@ -64,9 +68,10 @@ module line_memory
   line_data_t                    out_data  [Ports];
   for (genvar p = 0; p < Ports; p++) begin : g_bank
     logic [Clients-1:0] valid, ready;
-    logic               in_valid, in_ready, ask_valid, ask_ready, line_valid, line_ready;
+    logic               taken_valid, taken_ready, in_valid, in_ready, ask_valid, ask_ready, line_valid, line_ready;
     logic [IdxW-1:0]    client;
-    line_req_t          in, ask;
+    line_req_t          first, ask;
+    bank_req_t          in;
     logic               data_valid;
     logic [1:0]         data_beat;
     miss_t              data_miss, line_miss;
@@ -78,12 +83,17 @@ module line_memory
     assign taken[p] = valid & ready;
     stream_arb #(.data_t(line_req_t), .N(Clients)) u_take (
       .clk_i, .rst_ni, .valid_i(valid), .ready_o(ready), .data_i(req_i),
-      .valid_o(in_valid), .ready_i(in_ready), .data_o(in), .index_o(client)
+      .valid_o(taken_valid), .ready_i(taken_ready), .data_o(first), .index_o(client)
+    );
+    pipe_cut #(.data_t(bank_req_t)) u_in (
+      .clk_i, .rst_ni,
+      .valid_i(taken_valid), .ready_o(taken_ready),
+      .data_i('{owner: '{client: client, miss: NumberW'(first.miss)}, line: first.line}),
+      .valid_o(in_valid), .ready_i(in_ready), .data_o(in)
     );
     line_cache #(.id_t(owner_t), .Lines(BankLines), .Ways(L2Ways), .Misses(Misses), .Skip(Ports - 1), .Parts(4)) u_bank (
       .clk_i, .rst_ni, .hit_o(hit_o[p]), .miss_o(miss_o[p]),
-      .in_valid_i(in_valid), .in_ready_o(in_ready), .in_id_i('{client: client, miss: NumberW'(in.miss)}),
-      .in_line_i(in.line),
+      .in_valid_i(in_valid), .in_ready_o(in_ready), .in_id_i(in.owner), .in_line_i(in.line),
       .keep_i(1'b0), .keep_index_i('0),
       .kept_valid_i(1'b0), .kept_ready_o(), .kept_id_i('0), .kept_index_i('0),
       .out_valid_o(out_valid[p]), .out_ready_i(out_ready[p]), .out_id_o(out_owner[p]), .out_kept_o(),

@@ -341,21 +341,21 @@ TEST(LineMemoryUnit, ReplacesTheWayThatTheTreePointsTo) {
   }
 }
 
-TEST(LineMemoryUnit, AHitTakesFourCycles) {
+TEST(LineMemoryUnit, AHitTakesFiveCycles) {
   LineMemory memory(kTwo);
   for (int round = 0; round < 2; ++round) {
     memory.wanted[1] = {7};
     memory.run();
   }
-  EXPECT_EQ(memory.given_at - memory.asked_at, 4);
+  EXPECT_EQ(memory.given_at - memory.asked_at, 5);
 }
 
-TEST(LineMemoryUnit, AMissTakesEightCyclesBesidesTheMemorys) {
+TEST(LineMemoryUnit, AMissTakesNineCyclesBesidesTheMemorys) {
   LineMemory memory(kTwo);
   memory.latency = {60, 60};
   memory.wanted[2] = {7};
   memory.run();
-  EXPECT_EQ(memory.ports[1].last_beat - memory.asked_at, 3 + 60 + 3) << "until the last beat";
+  EXPECT_EQ(memory.ports[1].last_beat - memory.asked_at, 4 + 60 + 3) << "until the last beat";
   EXPECT_EQ(memory.given_at - memory.ports[1].last_beat, 5) << "until the line is given";
 }
 
