@@ -2,9 +2,10 @@
 // The stacks of a lane's contexts, in block RAM. A frame holds the children of one node that a ray
 // left behind, up to three, near to far, from e0 up; RefNone ends it.
 //   s0  look_i: the top frame of a context is read; look_new_i: it starts with an empty stack
-//   s1  top_o (undefined on an empty stack), empty_o, full_o; and at most one of
-//       push_i, replace_i (the top frame), drop_i (the top frame)
-// One look a cycle. A context is not looked at while it is in s1.
+//   s1  top_o (undefined on an empty stack), empty_o, full_o; and push_i, or replace_i (the top frame),
+//       or drop_i (the top frame, also one that is replaced)
+//   s2  the stack's new size is written
+// One look a cycle. A context is not looked at while it is in s1 or s2.
 // Model: cpp_model/traverse/frame_stack.hpp.
 module frame_stack
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -34,39 +35,60 @@ module frame_stack
 
   localparam int unsigned PlaceW = $clog2(Depth);
   typedef logic [PlaceW-1:0] place_t;
-  typedef logic [PlaceW:0]   used_t;
+  typedef logic [PlaceW:0]   at_t;     // the top frame's place; Empty is the one before place 0
+  localparam at_t Empty = '1;
 
   (* ram_style = "block" *) frame_t frame_q [Depth << IdxW];
-  used_t                            used_mem_q [Contexts];   // frames on each stack
+  at_t                              at_mem_q [Contexts];
 
   // ---- s0 ----
-  used_t           used, used_q;
+  at_t             at, at_q;
   frame_t          top_q;
   logic [IdxW-1:0] ctx_q;
 
-  assign used = look_new_i ? '0 : used_mem_q[look_ctx_i];
+  assign at = look_new_i ? Empty : at_mem_q[look_ctx_i];
   always_ff @(posedge clk_i) begin
     if (look_i) begin
-      ctx_q  <= look_ctx_i;
-      used_q <= used;
-      top_q  <= frame_q[{look_ctx_i, place_t'(used - 1'b1)}];
+      ctx_q <= look_ctx_i;
+      at_q  <= at;
+      top_q <= frame_q[{look_ctx_i, place_t'(at)}];
     end
   end
 
   // ---- s1 ----
-  logic  looked_q;
-  used_t used_d;
+  logic looked_q;
+  at_t  above;
   assign top_o   = top_q;
-  assign empty_o = used_q == '0;
-  assign full_o  = used_q == used_t'(Depth);
-  assign used_d  = push_i ? used_q + 1'b1 : drop_i ? used_q - 1'b1 : used_q;
+  assign empty_o = at_q == Empty;
+  assign full_o  = at_q == at_t'(Depth - 1);
+  assign above   = at_q + 1'b1;
+  always_ff @(posedge clk_i) begin
+    if (push_i || replace_i) frame_q[{ctx_q, push_i ? place_t'(above) : place_t'(at_q)}] <= frame_i;
+  end
 
+  // ---- s2 ----
+  logic            write_q, drop_q;
+  logic [IdxW-1:0] write_ctx_q;
+  at_t             write_at_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) looked_q <= 1'b0;
-    else looked_q <= look_i;
+    if (!rst_ni) {looked_q, write_q} <= '0;
+    else {looked_q, write_q} <= {look_i, looked_q};
   end
   always_ff @(posedge clk_i) begin
-    if (looked_q) used_mem_q[ctx_q] <= used_d;
-    if (push_i || replace_i) frame_q[{ctx_q, push_i ? place_t'(used_q) : place_t'(used_q - 1'b1)}] <= frame_i;
+    if (looked_q) begin
+      write_ctx_q <= ctx_q;
+      write_at_q  <= push_i ? above : at_q;
+      drop_q      <= drop_i;
+    end
+    if (write_q) at_mem_q[write_ctx_q] <= drop_q ? write_at_q - 1'b1 : write_at_q;
   end
+
+`ifndef SYNTHESIS
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && look_i) begin
+      assert (!(looked_q && ctx_q == look_ctx_i) && !(write_q && write_ctx_q == look_ctx_i))
+        else $error("a stack is looked at before it is written");
+    end
+  end
+`endif
 endmodule

@@ -13,7 +13,9 @@
 // without done.
 //   s0  chosen: children of a node, else who decides again, else a leaf, else a new ray
 //   s1  decided: at reach_i and stop_i of ask_ctx_o
-// One decision a cycle; an output belongs into a queue, where it is seen two cycles after its cause.
+//   s2  noted: who decides again, the size of the stack, and fault_o
+// One decision a cycle; an output belongs into a queue, where it is seen two cycles after its cause, and what
+// follows from it comes a cycle later or more.
 // Model: cpp_model/traverse/step.hpp, equal bit for bit.
 module step
   import castray_cfg_pkg::*, castray_pkg::*;
@@ -56,12 +58,12 @@ module step
   localparam ref_t   Nowhere   = '{kind: RefNone, index: '0};
 
   // ---- Who waits for a decision: leaves that are not decided at once, and contexts whose frame was dropped ----
-  logic again, again_valid, again_ready, leaf_valid, leaf_ready, leaf_now;
-  ctx_t again_ctx, leaf_ctx;
+  logic again_q, again_valid, again_ready, leaf_valid, leaf_ready, leaf_now;
+  ctx_t again_ctx_q, again_ctx, leaf_ctx;
 
   stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_again (
     .clk_i, .rst_ni, .used_o(),
-    .valid_i(again), .ready_o(), .data_i(out_ctx_o),
+    .valid_i(again_q), .ready_o(), .data_i(again_ctx_q),
     .valid_o(again_valid), .ready_i(again_ready), .data_o(again_ctx)
   );
   stream_fifo #(.data_t(ctx_t), .Depth(QueueDepth)) u_leaves (
@@ -113,18 +115,18 @@ module step
 
   // ---- s1 ----
   frame_t  top;
-  logic    empty, full, forward, leave, pop, beyond, back, last, finish, overflow, is_node, over;
+  logic    empty, full, forward, leave, pop, beyond, last, finish, overflow, leaf, spent, go;
   steps_t  nodes, nodes_q [Contexts];
   ref_t    target;
 
-  // top.e0.least > reach_i, as the carry of a sum.
+  // top.e0.least > reach_i, as the carry of a sum. Of all here it is known last.
   logic [DistW:0] both;
   assign both   = {1'b0, top.e0.least} + {1'b0, ~reach_i};
   assign beyond = both[DistW];
 
   assign ask_ctx_o = s1_q.ctx;
   always_comb begin
-    {forward, leave, finish, pop, again, back, last, overflow, is_node, over} = '0;
+    {forward, leave, finish, pop, last, overflow, leaf, spent} = '0;
     target = Nowhere;
     nodes  = '0;
     if (s1_valid_q) begin
@@ -132,22 +134,21 @@ module step
       leave    = forward && visits_q.e1.target.kind != RefNone;   // others are left behind
       finish   = !forward && (empty || stop_i);
       pop      = !forward && !finish;
-      again    = pop && beyond;
-      back     = pop && !beyond;
       last     = top.e1.target.kind == RefNone;                    // the frame's only entry
       overflow = leave && full;
       target   = forward ? visits_q.e0.target : top.e0.target;
-      is_node  = (forward || back) && target.kind != RefLeaf;
+      leaf     = target.kind == RefLeaf;
       if (!s1_q.fresh) nodes = nodes_q[IdxW'(s1_q.ctx)] + steps_t'(s1_q.node);
-      over     = is_node && nodes >= limit_i;
+      spent    = nodes >= limit_i;
     end
+    go = forward ? !overflow : pop && !beyond;
   end
 
   frame_stack #(.Contexts(Contexts), .Depth(StackDepth)) u_stack (
     .clk_i, .rst_ni,
     .look_i(s0_valid), .look_ctx_i(IdxW'(s0.ctx)), .look_new_i(s0.fresh),
     .top_o(top), .empty_o(empty), .full_o(full),
-    .push_i(leave && !full), .replace_i(back && !last), .drop_i(again || (back && last)),
+    .push_i(leave && !full), .replace_i(pop && !last), .drop_i(pop && (beyond || last)),
     .frame_i({visits_q.e3, leave ? {visits_q.e2, visits_q.e1} : {top.e2, top.e1}})   // without children there is no e3
   );
 
@@ -158,8 +159,21 @@ module step
 
   assign out_ctx_o    = s1_q.ctx;
   assign out_ref_o    = target;
-  assign node_valid_o = is_node && !over && !overflow;
-  assign leaf_valid_o = (forward || back) && target.kind == RefLeaf && !overflow;
+  assign node_valid_o = go && !leaf && !spent;
+  assign leaf_valid_o = go && leaf;
   assign done_valid_o = finish;
-  assign fault_o      = overflow ? ErrStack : over ? ErrSteps : ErrNone;
+
+  // ---- s2 ----
+  logic went_q, overflow_q, spent_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) {again_q, went_q, overflow_q} <= '0;
+    else {again_q, went_q, overflow_q} <= {pop && beyond, go, overflow};
+  end
+  always_ff @(posedge clk_i) begin
+    if (s1_valid_q) begin
+      again_ctx_q <= s1_q.ctx;
+      spent_q     <= !leaf && spent;
+    end
+  end
+  assign fault_o = overflow_q ? ErrStack : (went_q && spent_q) ? ErrSteps : ErrNone;
 endmodule

@@ -36,7 +36,7 @@ class FrameStackUnit : public testing::Test {
       const auto what = rng() % 5;
       if (what < 2 && !model.full()) dut->push_i = 1, model.push(f);
       else if (what == 2 && !model.empty()) dut->replace_i = 1, model.top() = f;
-      else if (what == 3 && !model.empty()) dut->drop_i = 1, model.drop();
+      else if (what == 3 && !model.empty()) dut->drop_i = 1, dut->replace_i = rng() % 2, model.drop();
       full += model.full();
     }
     dut->look_i = next >= 0;
@@ -44,20 +44,20 @@ class FrameStackUnit : public testing::Test {
     dut->look_new_i = fresh;
     if (next >= 0 && fresh) models[static_cast<std::size_t>(next)] = FrameStack(kDepth);
     dut.tick();
-    now = next;
+    before = now, now = next;
   }
 
   std::mt19937 rng{3};
   Dut<Vframe_stack> dut;
   std::vector<FrameStack> models;
-  int now = -1, full = 0;
+  int now = -1, before = -1, full = 0;   // in s1, in s2
 };
 
 TEST_F(FrameStackUnit, MatchesModel) {
   for (int ctx = 0; ctx < kContexts; ++ctx) cycle(ctx, true);
   for (int i = 0; i < 20000; ++i) {
     int next = static_cast<int>(rng() % (kContexts + 1)) - 1;
-    if (next == now) next = -1;
+    if (next == now || next == before) next = -1;
     cycle(next, rng() % 40 == 0);
     if (HasFatalFailure()) return;
   }

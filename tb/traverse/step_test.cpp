@@ -40,7 +40,7 @@ class StepUnit : public testing::Test {
     return v;
   }
   // An input for one cycle; the decision on it is at the outputs afterwards. What a context was sent
-  // to is back at the earliest when its decision is over: a cycle passes first.
+  // to is back at the earliest when its decision is over: two cycles pass first.
   void start(int ctx, const ref_t& first, const ref_t& second = {}) {
     start_t s;
     s.first = first, s.second = second;
@@ -53,7 +53,7 @@ class StepUnit : public testing::Test {
     dut.settle();
   }
   void children(int ctx, const visits_t& visits, bool pause = true) {
-    if (pause) dut.tick();
+    if (pause) dut.tick(), dut.tick();
     dut->node_valid_i = 1, dut->node_ctx_i = ctx;
     set_port(dut->node_i, visits);
     dut.tick();
@@ -61,7 +61,7 @@ class StepUnit : public testing::Test {
     dut.settle();
   }
   void leaf_over(int ctx) {
-    dut.tick();
+    dut.tick(), dut.tick();
     dut->leaf_valid_i = 1, dut->leaf_ctx_i = ctx;
     dut.tick();
     dut->leaf_valid_i = 0;
@@ -78,8 +78,9 @@ class StepUnit : public testing::Test {
     EXPECT_EQ(dut->out_ctx_o, ctx);
   }
   void expect_fault(error_t error) {
-    EXPECT_EQ(dut->fault_o, error);
     EXPECT_FALSE(dut->node_valid_o || dut->leaf_valid_o || dut->done_valid_o);
+    dut.tick();
+    EXPECT_EQ(dut->fault_o, error);
   }
   Dut<Vstep> dut;
 };
@@ -115,10 +116,10 @@ TEST_F(StepUnit, VisitsAtTheReachAndDropsTheFrameBehindIt) {
   dut->reach_i = 100;
   leaf_over(0);                       // the upper frame is dropped,
   EXPECT_FALSE(dut->node_valid_o || dut->leaf_valid_o || dut->done_valid_o);
-  dut.tick(), dut.tick();             // and the context decides again
+  dut.tick(), dut.tick(), dut.tick();   // and the context decides again
   expect_visit(0, 3);
   leaf_over(0);
-  dut.tick(), dut.tick();
+  dut.tick(), dut.tick(), dut.tick();
   expect_done(0);
 }
 
@@ -158,6 +159,7 @@ TEST_F(StepUnit, AHitThatWillDoLeavesTheStackAndTheNextRayStartsWithout) {
   leaf_over(3);
   expect_done(3);
   dut->stop_i = 0;
+  dut.tick(), dut.tick();
   start(3, entry(RefLeaf, 4).target);
   expect_visit(3, 4);
   leaf_over(3);
@@ -174,15 +176,15 @@ TEST_F(StepUnit, ARayThatStartsNowhereIsDone) {
 
 // Leaves end in one cycle after another while nodes' children come in each; then the frames drop.
 TEST_F(StepUnit, KeepsAllContextsWhileOthersAreServed) {
-  constexpr int kLeaves = kContexts - 2;
+  constexpr int kLeaves = kContexts - 3;
   for (int ctx = 0; ctx < kContexts; ++ctx) {
     start(ctx, entry(RefNode, 1).target);
     children(ctx, nodes({entry(RefLeaf, 2), entry(RefLeaf, 3, 50)}));
   }
-  dut.tick();
+  dut.tick(), dut.tick();
   for (int i = 0; i < 4 * kLeaves; ++i) {
     dut->leaf_valid_i = i < kLeaves, dut->leaf_ctx_i = i;
-    const int ctx = kLeaves + i % 2;
+    const int ctx = kLeaves + i % 3;
     children(ctx, nodes({entry(RefNode, 30)}), false);   // one decision a cycle
     expect_visit(ctx, 30);
   }

@@ -90,7 +90,7 @@ class StepWorld {
     const int first = in(0, kContexts - 1);
     for (int i = 0; i < kContexts; ++i) {
       const int ctx = (first + i) % kContexts;
-      if (contexts_[ctx].wait == wait && !chance(shape_.delay)) return ctx;
+      if (contexts_[ctx].wait == wait && ctx != last_ && !chance(shape_.delay)) return ctx;
     }
     return -1;
   }
@@ -141,20 +141,26 @@ class StepWorld {
 
   void observe() {
     counted_ = -1;
-    const int outputs = dut_->node_valid_o + dut_->leaf_valid_o + dut_->done_valid_o + (dut_->fault_o != ErrNone);
+    const int before = last_;
+    last_ = dut_->out_ctx_o;
+    if (dut_->fault_o != ErrNone) {   // of the decision before
+      Context& c = contexts_[before];
+      ASSERT_EQ(int(c.wait), int(Wait::Decision)) << "context " << before << " had nothing to decide";
+      ASSERT_EQ(int(c.next), int(Step::Next::Failed));
+      EXPECT_EQ(dut_->fault_o, c.model->error());
+      c.wait = Wait::Free;
+      ++errors[static_cast<error_t>(dut_->fault_o)];
+      ++ended_;
+    }
+    const int outputs = dut_->node_valid_o + dut_->leaf_valid_o + dut_->done_valid_o;
     ASSERT_LE(outputs, 1);
     if (outputs == 0) return;
-    const int ctx = dut_->out_ctx_o;
+    const int ctx = last_;
     ASSERT_LT(ctx, kContexts);
     Context& c = contexts_[ctx];
     ASSERT_EQ(int(c.wait), int(Wait::Decision)) << "context " << ctx << " had nothing to decide";
     c.wait = Wait::Free;
-    if (dut_->fault_o != ErrNone) {
-      ASSERT_EQ(int(c.next), int(Step::Next::Failed));
-      EXPECT_EQ(dut_->fault_o, c.model->error());
-      ++errors[static_cast<error_t>(dut_->fault_o)];
-      ++ended_;
-    } else if (dut_->done_valid_o) {
+    if (dut_->done_valid_o) {
       ASSERT_EQ(int(c.next), int(Step::Next::Done));
       counted_ = ctx;
       ++dones, ++ended_;
@@ -181,6 +187,7 @@ class StepWorld {
   start_t start_;
   int offered_ = -1;   // the context of the ray that waits to be taken
   int counted_ = -1;   // the context that is done
+  int last_ = -1;      // in s1 in the last cycle: nothing more comes of it yet
   int ended_ = 0;
 };
 
