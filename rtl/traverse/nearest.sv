@@ -52,7 +52,7 @@ module nearest
   bary_t  u_q     [Contexts];
   bary_t  v_q     [Contexts];
 
-  logic [IdxW-1:0] at;
+  logic [IdxW-1:0] result_ctx, at;
   order_t          held, fresh;
   t_t              t_new;
   logic            write;
@@ -61,17 +61,13 @@ module nearest
     return x ^ {1'b1, {$bits(order_t)-1{1'b0}}};
   endfunction
 
-  assign t_new = result_valid_i ? result_i.t : tmax_i;
-  assign at    = result_valid_i ? IdxW'(result_i.ctx) : start_ctx_i;
+  assign t_new      = result_valid_i ? result_i.t : tmax_i;
+  assign result_ctx = IdxW'(result_i.ctx);
+  assign at         = result_valid_i ? result_ctx : start_ctx_i;
   always_comb begin
-    held  = '0;
-    fresh = '0;
-    write = 1'b0;
-    if (result_valid_i) begin
-      held  = turned({reach_q[at].t_high, rest_q[at].t_low, rest_q[at].number});
-      fresh = turned({result_i.t, result_i.number});
-      write = fresh < held;
-    end
+    held  = turned({reach_q[result_ctx].t_high, rest_q[result_ctx].t_low, rest_q[result_ctx].number});
+    fresh = turned({result_i.t, result_i.number});
+    write = result_valid_i && fresh < held;
   end
 
   // u and v are written a cycle later.
@@ -81,7 +77,7 @@ module nearest
   always_ff @(posedge clk_i) begin
     write_q <= write;
     if (result_valid_i) begin
-      write_at_q <= IdxW'(result_i.ctx);
+      write_at_q <= result_ctx;
       write_u_q  <= result_i.u;
       write_v_q  <= result_i.v;
     end
