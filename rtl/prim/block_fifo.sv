@@ -15,7 +15,9 @@ module block_fifo #(
 
   output logic  valid_o,
   input  logic  ready_i,
-  output data_t data_o
+  output data_t data_o,
+
+  output logic  empty_o    // nothing is inside, visible or not
 );
   if (Depth < 2) begin : g_check
     $error("block_fifo: Depth must be at least 2");
@@ -33,6 +35,7 @@ module block_fifo #(
 
   assign ready_o = used_q != CntW'(Depth);
   assign valid_o = valid_q;
+  assign empty_o = used_q == '0 && !valid_q;
   assign data_o  = out_q;
   assign push    = valid_i && ready_o;
   assign fetch   = used_q != '0 && (!valid_q || ready_i);

@@ -83,7 +83,7 @@ module traversal
 );
   // ---- Brute force: rays to lanes in turn, primitives past the lanes ----
   logic             fill, emit, dealt_ready, brute_idle, none_queued;
-  logic [Lanes-1:0] dealt_valid, queue_ready, ray_valid, ray_ready, lane_empty, full, quiet, test_ready;
+  logic [Lanes-1:0] dealt_valid, queue_ready, queue_empty, ray_valid, ray_ready, lane_empty, full, quiet, test_ready;
   logic [CtxW:0]    used [Lanes];
   logic             reader_start, reader_done, slot_valid, slot_ready, test_valid;
   prim_slot_t       slot, test_prim;
@@ -184,7 +184,7 @@ module traversal
     block_fifo #(.data_t(ray_t), .Depth(ray_queue(TileLog2))) u_queue (
       .clk_i, .rst_ni,
       .valid_i(brute_i ? dealt_valid[i] : in_valid_i && to_lane[i]), .ready_o(queue_ready[i]), .data_i(in_i),
-      .valid_o(ray_valid[i]), .ready_i(ray_ready[i]), .data_o(ray)
+      .valid_o(ray_valid[i]), .ready_i(ray_ready[i]), .data_o(ray), .empty_o(queue_empty[i])
     );
     lane #(.Contexts(Contexts), .TileNodes(TileNodes), .GateClocks(GateClocks)) u_lane (
       .clk_i, .rst_ni, .hierarchy_i(!brute_i), .tree_i,
@@ -211,7 +211,7 @@ module traversal
   assign hit_o      = found & hit_valid & hit_ready;
   assign hit_wait_o = hit_valid & ~hit_ready;
   assign lane_starved_o = (rst_ni && !exhausted_i && (fill || !brute_i)) ? ~full & ~ray_valid : '0;
-  assign none_queued = ray_valid == '0;
+  assign none_queued = &queue_empty;
   assign idle_o      = brute_i ? brute_idle : (exhausted_i && &lane_empty && none_queued);
 
   // ---- Out: the lanes' hits, and the misses, which are a tag only ----

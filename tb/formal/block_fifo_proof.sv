@@ -18,7 +18,7 @@ module block_fifo_proof #(
 );
   localparam int unsigned CntW = $clog2(Depth + 3);
   localparam int unsigned PtrW = $clog2(Depth);
-  logic  ready_o, valid_o;
+  logic  ready_o, valid_o, empty_o;
   data_t data_o;
   block_fifo #(.data_t(data_t), .Depth(Depth)) u_dut (.*);
   reset_first u_reset (.*);
@@ -41,10 +41,10 @@ module block_fifo_proof #(
     return PtrW'((sum >= (CntW+1)'(Depth)) ? sum - (CntW+1)'(Depth) : sum);
   endfunction
 
-  // Is something inside, it is offered this cycle or fetched in it.
   always_comb begin
     if (rst_ni) begin
       nothing_lost: assert (inner == used + CntW'(valid_o) && (valid_o || inner == '0 || u_dut.fetch));
+      empty_says_so: assert (empty_o == (inner == '0));
       takes_while_room: assert (ready_o == (used != CntW'(Depth)));
       inv_used: assert (used <= CntW'(Depth));
       inv_places: assert ((CntW+1)'(u_dut.head_q) < (CntW+1)'(Depth) && u_dut.tail_q == behind(u_dut.head_q, used));

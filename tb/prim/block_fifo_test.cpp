@@ -25,13 +25,16 @@ TEST_F(BlockFifo, HoldsDepthItemsAndOneWhileBlocked) {
 TEST_F(BlockFifo, PassesOneItemACycle) { EXPECT_EQ(passed_in(50), 48); }
 
 TEST_F(BlockFifo, AnItemIsVisibleTwoCyclesAfterItEntered) {
+  EXPECT_TRUE(dut->empty_o);
   EXPECT_TRUE(cycle(7, false));
   EXPECT_FALSE(dut->valid_o);
+  EXPECT_FALSE(dut->empty_o);
   cycle(-1, false);
   EXPECT_TRUE(dut->valid_o);
   cycle(-1, true);
   EXPECT_EQ(given, 7);
   EXPECT_FALSE(dut->valid_o);
+  EXPECT_TRUE(dut->empty_o);
 }
 
 TEST_F(BlockFifo, RefusesWhenFullThoughOneLeaves) {
