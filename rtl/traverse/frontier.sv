@@ -10,7 +10,8 @@
 //   judge   with the last: too many, then the lists are as they were, and the node is kept; else
 //           the new ones count
 //   decide  a cycle later: the next that waits is asked for, or the tile is finished
-// Tiles are finished in any order and leave in theirs. part_o is the part part_i of the tile offered.
+// Tiles are finished in any order and leave in theirs. part_o is the part part_i of the tile offered, a cycle
+// later, if it was read: not where the lists' one read is for a node, before judge and before decide.
 // Model: cpp_model/traverse/frontier.hpp, equal bit for bit.
 module frontier
   import castray_cfg_pkg::*;
@@ -44,6 +45,7 @@ module frontier
   output logic         out_root_o,   // the tile's rays start at the root
   output logic [3:0]   out_parts_o,  // else at so many parts
   input  logic [2:0]   part_i,
+  output logic         part_read_o,
   output part_t        part_o,
   output logic         read_o        // a node was read: for the counter
 );
@@ -128,8 +130,8 @@ module frontier
 
   // ---- The box against the tile's rays, and what is needed of the child behind that ----
   typedef struct packed {
-    tile_no_t tile;
-    logic     last;
+    tile_no_t   tile;
+    logic [1:0] child;
   } step_t;
   logic       box_valid, meets;
   step_t      step_q [2];     // of the stages of node_parts
@@ -146,7 +148,7 @@ module frontier
     else place_q <= place_q + 1'b1;
   end
   always_ff @(posedge clk_i) begin
-    if (live[0]) step_q[0] <= '{tile: node_tile, last: node_ready_o};
+    if (live[0]) step_q[0] <= '{tile: node_tile, child: split_q};
     if (live[1]) step_q[1] <= step_q[0];
     if (live[2]) begin
       side_q[place_q]  <= step_q[1];
@@ -154,18 +156,24 @@ module frontier
     end
   end
 
-  // ---- The lists of each tile: parts that are kept, and that wait from first_q on ----
-  part_t            kept_q    [Tiles * Places];
-  part_t            waiting_q [Tiles * Places];
+  // ---- The lists of each tile: parts that wait, from first_q on, and that are kept ----
+  (* ram_style = "block" *) part_t list_q [2 * Tiles * Places];
+  typedef struct packed {
+    logic     is_kept;
+    tile_no_t tile;
+    count_t   place;
+  } at_t;
+  part_t            read_q;
+  at_t              read_at, write_at;
   count_t           kept_count_q [Tiles], waiting_count_q [Tiles], first_q [Tiles];
   logic [ReadW-1:0] reads_q [Tiles];
 
   step_t    side;
   tile_no_t tile;                 // whose child came
   part_t    met;
-  line_t    look;
+  line_t    look, new_index_q;
   count_t   new_kept_q, new_waiting_q, new_kept, new_waiting, kept, waiting, first;
-  logic     is_met, keeps, waits, judge, decide_q, too_many;
+  logic     is_met, keeps, waits, judge, decide_q, too_many, read_node, look_is_new_q;
   assign side        = side_q[place_q - place_t'(Stages)];
   assign met         = parts_q[place_q - place_t'(Stages)];
   assign tile        = side.tile;
@@ -177,7 +185,7 @@ module frontier
   assign waits       = is_met && met.target.kind != RefLeaf;
   assign new_kept    = new_kept_q + count_t'(keeps);
   assign new_waiting = new_waiting_q + count_t'(waits);
-  assign judge       = box_valid && side.last;
+  assign judge       = box_valid && side.child == '1;
   assign too_many    = judge && kept + waiting + new_kept + new_waiting > count_t'(TileParts);
 
   always_ff @(posedge clk_i) begin
@@ -189,13 +197,28 @@ module frontier
       new_waiting_q <= new_waiting;
     end
   end
+  // A node is read a cycle before it is judged; the next that waits as it is judged, where it is not just
+  // then written.
+  assign read_node = box_valid && side.child[1];
+  always_comb begin
+    read_at  = '{is_kept: 1'b0, tile: tile, place: judge ? first : first - 1'b1};
+    write_at = '{is_kept: too_many || keeps, tile: tile, place: first + waiting + new_waiting_q};
+    if (!read_node) read_at = '{is_kept: 1'b1, tile: leave_q, place: count_t'(part_i)};
+    if (too_many) write_at.place = kept;
+    else if (keeps) write_at.place = kept + new_kept_q;
+  end
   always_ff @(posedge clk_i) begin
-    if (too_many) kept_q[{tile, kept}] <= waiting_q[{tile, first - 1'b1}];   // the node itself
-    else if (keeps) kept_q[{tile, kept + new_kept_q}] <= met;
-    if (waits && !too_many) waiting_q[{tile, first + waiting + new_waiting_q}] <= met;
+    if (is_met || too_many) list_q[write_at] <= too_many ? read_q : met;   // the node itself
+    if (read_node || out_valid_o) read_q <= list_q[read_at];
+  end
+  always_ff @(posedge clk_i) begin
+    if (judge) begin
+      look_is_new_q <= waits && waiting + new_waiting_q == '0;
+      new_index_q   <= met.target.index;
+    end
   end
 
-  assign look     = waiting_q[{judged_q, first_q[judged_q]}].target.index;
+  assign look     = look_is_new_q ? new_index_q : read_q.target.index;
   assign spent    = waiting_count_q[judged_q] != '0;
   assign ask_next = decide_q && spent && reads_q[judged_q] != ReadW'(TileReads);
   assign finish   = decide_q && !ask_next;
@@ -229,5 +252,6 @@ module frontier
   assign ask_index_o = ask_next ? look : root_i.index;
 
   assign out_parts_o = kept_count_q[leave_q];
-  assign part_o      = kept_q[{leave_q, 1'b0, part_i}];
+  assign part_read_o = !read_node;
+  assign part_o      = read_q;
 endmodule

@@ -104,6 +104,7 @@ module tile_start
   logic [3:0]   parts;
   logic [2:0]   part_at;
   part_t        part;
+  logic         part_read;
   error_t       frontier_fault, fetch_fault;
 
   tile_bounds u_bounds (
@@ -116,7 +117,7 @@ module tile_start
     .ask_valid_o(ask_valid), .ask_tile_o(ask_tile), .ask_index_o(ask_index),
     .node_valid_i(node_valid), .node_ready_o(node_ready), .node_tile_i(node_tile), .node_i(node_t'(node)),
     .out_valid_o(parts_valid), .out_ready_i(parts_ready), .out_root_o(at_root), .out_parts_o(parts),
-    .part_i(part_at), .part_o(part), .read_o(node_o)
+    .part_i(part_at), .part_read_o(part_read), .part_o(part), .read_o(node_o)
   );
   assign busy_o = node_valid;
   line_fetch #(.Contexts(Tiles), .Lines(Lines)) u_fetch (
@@ -139,7 +140,7 @@ module tile_start
   assign write = parts_valid && some && !written_q;
   tile_node u_node (
     .clk_i, .rst_ni, .start_i(write), .parts_i(parts), .done_o(written),
-    .part_o(part_at), .part_i(part),
+    .part_o(part_at), .part_read_i(part_read), .part_i(part),
     .write_o(store_valid_o), .second_o(store_second_o), .node_o(store_node_o)
   );
   always_ff @(posedge clk_i) begin
