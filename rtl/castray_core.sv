@@ -105,7 +105,8 @@ module castray_core
   logic          start, running, done, datapath_rst_n, block;
   job_t          job;
   error_t        job_error, load_error, fault;
-  logic [63:0]   counts [Counters];
+  logic [63:0]   count;
+  logic [$clog2(Counters)-1:0] count_number;   // whose it is
   logic          load_start, load_done, setup_start, setup_done, walk_start, walk_done, empty;
   logic          read_idle, write_idle, read_error, write_error;
   image_header_t header;
@@ -121,7 +122,7 @@ module castray_core
     .s_axi_arvalid_i, .s_axi_arready_o, .s_axi_araddr_i,
     .s_axi_rvalid_o, .s_axi_rready_i, .s_axi_rdata_o, .s_axi_rresp_o,
     .interrupt_o(irq_o),
-    .start_o(start), .job_o(job), .done_i(done), .error_i(job_error), .counts_i(counts)
+    .start_o(start), .job_o(job), .done_i(done), .error_i(job_error), .number_i(count_number), .count_i(count)
   );
 
   job_control u_job_control (
@@ -345,5 +346,5 @@ module castray_core
   assign events[CntHitWaits]    = EventBits'(hit_wait);
   assign events[CntWriteWaits]  = EventBits'(write_wait);
 
-  counters u_counters (.clk_i, .rst_ni, .clear_i(start), .events_i(events), .counts_o(counts));
+  counters u_counters (.clk_i, .rst_ni, .clear_i(start), .events_i(events), .number_o(count_number), .count_o(count));
 endmodule

@@ -11,14 +11,16 @@
 //           set wins. interrupt_o = gie && any bit of isr, a level
 // Arguments may be read and written at any time; job_o takes them when a job begins.
 // Byte strobes are honoured. What does not exist reads as 0 and takes writes without effect;
-// every response is OKAY. One access in three cycles, reads and writes independent of each other.
+// every response is OKAY. One access in three cycles, reads and writes independent of each other; the
+// read of a counter waits for its turn: some Counters cycles more at most.
 // Model: cpp_model/axi/axi_lite_regs.hpp (the job from the argument registers).
 module axi_lite_regs
   import castray_cfg_pkg::*, castray_pkg::*, castray_reg_pkg::*;
 #(
   parameter int unsigned Lanes    = DefaultLanes,
   parameter int unsigned Contexts = DefaultContexts,
-  parameter int unsigned TileLog2 = DefaultTileLog2
+  parameter int unsigned TileLog2 = DefaultTileLog2,
+  localparam int unsigned CounterW = $clog2(Counters)
 ) (
   input  logic                clk_i,
   input  logic                rst_ni,
@@ -48,8 +50,12 @@ module axi_lite_regs
   output job_t                job_o,               // its arguments, held until the next begins
   input  logic                done_i,              // one cycle: it ended
   input  error_t              error_i,             // of the last job, held
-  input  logic [63:0]         counts_i [Counters]
+  input  logic [CounterW-1:0] number_i,            // of a counter, each in turn
+  input  logic [63:0]         count_i              // its count
 );
+  if (RegCounters % (8 * Counters) != 0 || 2 ** CounterW != Counters) begin : g_counters
+    $error("axi_lite_regs: the counters' offsets must end in a counter's number");
+  end
   if (Lanes < 1 || Lanes > 255 || Contexts < 1 || Contexts > 255 || TileLog2 > 7) begin : g_check
     $error("axi_lite_regs: Lanes, Contexts and the tile size must fit the config register");
   end
@@ -248,16 +254,19 @@ module axi_lite_regs
   end
 
   // ---- Read channels ----
-  logic        r_valid_q;
+  logic        r_valid_q, wait_q, is_counter, upper_q, here;   // wait_q: for counter number_q
+  logic [CounterW-1:0] number_q;
   logic [31:0] rdata_q;
   reg_t        raddr;
-  assign s_axi_arready_o = !r_valid_q;
+  assign s_axi_arready_o = !r_valid_q && !wait_q;
   assign s_axi_rvalid_o  = r_valid_q;
   assign s_axi_rdata_o   = rdata_q;
   assign s_axi_rresp_o   = 2'b00;
   assign raddr           = s_axi_araddr_i[RegAddrW-1:2];
   assign read            = s_axi_arvalid_i && s_axi_arready_o;
   assign read_control    = read && raddr == number(RegControl);
+  assign is_counter      = raddr[RegAddrW-3:CounterW+1] == (RegAddrW-CounterW-3)'(RegCounters / (8 * Counters));
+  assign here            = wait_q && number_i == number_q;
 
   function automatic logic [31:0] control_word();
     control_word = '0;
@@ -270,9 +279,18 @@ module axi_lite_regs
   endfunction
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) r_valid_q <= 1'b0;
-    else if (s_axi_arready_o) r_valid_q <= s_axi_arvalid_i;
-    else if (s_axi_rready_i) r_valid_q <= 1'b0;
+    if (!rst_ni) begin
+      r_valid_q <= 1'b0;
+      wait_q    <= 1'b0;
+    end else begin
+      if ((read && !is_counter) || here) r_valid_q <= 1'b1;
+      else if (s_axi_rready_i) r_valid_q <= 1'b0;
+      if (read) wait_q <= is_counter;
+      else if (here) wait_q <= 1'b0;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (read) {number_q, upper_q} <= raddr[CounterW:0];
   end
   always_ff @(posedge clk_i) begin
     if (read) begin
@@ -305,10 +323,6 @@ module axi_lite_regs
         number(RegError):      rdata_q <= 32'(error_i);
         default:               rdata_q <= '0;
       endcase
-      for (int unsigned i = 0; i < Counters; i++) begin
-        if (raddr == number(RegCounters + 8 * i)) rdata_q <= counts_i[i][31:0];
-        if (raddr == number(RegCounters + 8 * i + 4)) rdata_q <= counts_i[i][63:32];
-      end
-    end
+    end else if (here) rdata_q <= upper_q ? count_i[63:32] : count_i[31:0];
   end
 endmodule

@@ -54,7 +54,7 @@ TEST_F(AxiLiteRegs, UndefinedOnesReadZeroAndTakeWrites) {
   for (const std::int64_t offset : {RegControl, RegGie, RegIer, RegIsr, RegVersion, RegConfig, RegParameters, RegError})
     defined[offset] = true;
   for (int i = 0; i < Counters; ++i) defined[RegCounters + 8 * i] = defined[RegCounters + 8 * i + 4] = true;
-  for (unsigned i = 0; i < Counters; ++i) dut_->counts_i[i] = ~0ull;
+  counts_.fill(~0ull);
   for (unsigned offset = 0; offset < 1u << RegAddrW; offset += 4) {
     if (defined[offset]) continue;
     write(offset, 0xffffffff);
@@ -80,7 +80,7 @@ TEST_F(AxiLiteRegs, HaveOneBitForGieAndTwoForIer) {
 }
 
 TEST_F(AxiLiteRegs, ShowCountersAndError) {
-  for (unsigned i = 0; i < Counters; ++i) dut_->counts_i[i] = 0x1234567800000000ull * (i + 1) + 77 * i + 5;
+  for (unsigned i = 0; i < Counters; ++i) counts_[i] = 0x1234567800000000ull * (i + 1) + 77 * i + 5;
   for (unsigned i = 0; i < Counters; ++i) {
     const std::uint64_t low = read(RegCounters + 8 * i), high = read(RegCounters + 8 * i + 4);
     EXPECT_EQ(low | high << 32, 0x1234567800000000ull * (i + 1) + 77 * i + 5);

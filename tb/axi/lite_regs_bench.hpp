@@ -20,10 +20,12 @@ class AxiLiteRegs : public testing::Test {
   AxiLiteRegs() {
     dut_->done_i = 0;
     dut_->error_i = 0;
-    for (unsigned i = 0; i < Counters; ++i) dut_->counts_i[i] = 0;
+    dut_->number_i = 0, dut_->count_i = 0;
     dut_.reset();
   }
   void tick() {
+    dut_->number_i = turn_, dut_->count_i = counts_[turn_];
+    turn_ = (turn_ + 1) % Counters;
     dut_.settle();
     starts_ += dut_->start_o;
     if (dut_->start_o) job_ = get_port<job_t>(dut_->job_o);
@@ -60,7 +62,8 @@ class AxiLiteRegs : public testing::Test {
   }
 
   D dut_;
-  int starts_ = 0;
+  int starts_ = 0, turn_ = 0;
+  std::array<std::uint64_t, Counters> counts_{};
   job_t job_;
   LiteBus<D> bus_{dut_, [this] { tick(); }};
 };

@@ -68,14 +68,15 @@ module job_system_tb
   logic   read_idle, write_idle, read_error, write_error, read_beat, write_beat;
   job_t   job;
   error_t error, load_error;
-  logic [63:0] counts [Counters];
+  logic [63:0] count;
+  logic [$clog2(Counters)-1:0] count_number;
 
   axi_lite_regs #(.Lanes(1), .Contexts(1), .TileLog2(3)) u_regs (
     .clk_i, .rst_ni,
     .s_axi_awvalid_i, .s_axi_awready_o, .s_axi_awaddr_i, .s_axi_wvalid_i, .s_axi_wready_o, .s_axi_wdata_i,
     .s_axi_wstrb_i, .s_axi_bvalid_o, .s_axi_bready_i, .s_axi_bresp_o, .s_axi_arvalid_i, .s_axi_arready_o,
     .s_axi_araddr_i, .s_axi_rvalid_o, .s_axi_rready_i, .s_axi_rdata_o, .s_axi_rresp_o, .interrupt_o,
-    .start_o(start), .job_o(job), .done_i(done), .error_i(error), .counts_i(counts)
+    .start_o(start), .job_o(job), .done_i(done), .error_i(error), .number_i(count_number), .count_i(count)
   );
 
   job_control u_control (
@@ -99,7 +100,7 @@ module job_system_tb
     events[CntWriteBeats][0] = write_beat;
   end
   counters u_counters (
-    .clk_i, .rst_ni, .clear_i(start), .events_i(events), .counts_o(counts)
+    .clk_i, .rst_ni, .clear_i(start), .events_i(events), .number_o(count_number), .count_o(count)
   );
 
   logic [1:0] read_valid, read_ready, rsp_valid;

@@ -22,7 +22,8 @@ module axi_lite_regs_proof
   input logic                s_axi_rready_i,
   input logic                done_i,
   input error_t              error_i,
-  input logic [Counters-1:0][63:0] values_i,
+  input logic [$clog2(Counters)-1:0] number_i,
+  input logic [63:0]         count_i,
   input logic [4:0]          argument_i,      // any one argument, and any byte of it
   input logic [1:0]          byte_i
 );
@@ -30,10 +31,6 @@ module axi_lite_regs_proof
   logic [1:0]  s_axi_bresp_o, s_axi_rresp_o;
   logic [31:0] s_axi_rdata_o;
   job_t        job_o;
-  logic [63:0] counts_i [Counters];
-  for (genvar i = 0; i < Counters; i++) begin : g_count
-    assign counts_i[i] = values_i[i];
-  end
   axi_lite_regs u_dut (.*);
   reset_first u_reset (.*);
   stream_held #(.data_t(logic [1:0])) u_b (
@@ -63,6 +60,19 @@ module axi_lite_regs_proof
       reads_q <= reads_q + 2'(ar) - 2'(r);
       due_q   <= !s_axi_bvalid_o && addrs_q != '0 && datas_q != '0;   // an answer by now
     end
+  end
+
+  // ---- A counter is read in its turn ----
+  logic [5:0]  which_q;      // word
+  logic        counter_q, turn_q;
+  logic [31:0] count_q;
+  always_ff @(posedge clk_i) begin
+    if (ar) begin
+      which_q   <= s_axi_araddr_i[7:2];
+      counter_q <= s_axi_araddr_i >= RegAddrW'(RegCounters);
+    end
+    turn_q  <= rst_ni && reads_q != '0 && !s_axi_rvalid_o && number_i == which_q[5:1];
+    count_q <= which_q[0] ? count_i[63:32] : count_i[31:0];
   end
 
   // ---- One byte of one argument ----
@@ -134,6 +144,7 @@ module axi_lite_regs_proof
         if (s_axi_rvalid_o && reads_it_q) reads_what_was_written: assert (s_axi_rdata_o[8*byte_i +: 8] == read_q);
         if (u_dut.addr_held_q) inv_addr: assert (u_dut.waddr_q == addr_q[RegAddrW-1:2]);
         if (u_dut.data_held_q) inv_data: assert (u_dut.wdata_q == data_q && u_dut.wstrb_q == strb_q);
+        if (u_dut.wait_q) inv_argument: assert (!reads_it_q);
         inv_value: assert (value_q == kept[argument_i][8*byte_i +: 8]);
         if (s_axi_rvalid_o && reads_it_q) inv_read: assert (u_dut.rdata_q[8*byte_i +: 8] == read_q);
         c_reads_back: cover (s_axi_rvalid_o && reads_it_q && read_q == 8'ha5);
@@ -147,7 +158,10 @@ module axi_lite_regs_proof
 
       if (s_axi_bvalid_o) no_write_answer_invented: assert (addrs_q != '0 && datas_q != '0);
       if (due_q) each_write_answered: assert (s_axi_bvalid_o);
-      each_read_answered: assert (s_axi_rvalid_o == (reads_q != '0) && reads_q <= 2'd1);
+      if (s_axi_rvalid_o) no_read_answer_invented: assert (reads_q != '0);
+      if (reads_q != '0 && !counter_q) each_read_answered: assert (s_axi_rvalid_o);
+      if (turn_q) each_count_answered: assert (s_axi_rvalid_o && s_axi_rdata_o == count_q);
+      one_read_at_a_time: assert (reads_q <= 2'd1);
       takes_a_request_when_idle: assert ((addrs_q != '0 || s_axi_awready_o) && (datas_q != '0 || s_axi_wready_o) &&
                                          (reads_q != '0 || s_axi_arready_o));
       answers_okay: assert (s_axi_bresp_o == 2'b00 && s_axi_rresp_o == 2'b00);
@@ -155,9 +169,12 @@ module axi_lite_regs_proof
 
       inv_addrs: assert (addrs_q == 2'(u_dut.addr_held_q) + 2'(s_axi_bvalid_o));
       inv_datas: assert (datas_q == 2'(u_dut.data_held_q) + 2'(s_axi_bvalid_o));
+      inv_wait: assert (u_dut.wait_q == (reads_q != '0 && !s_axi_rvalid_o));
+      if (u_dut.wait_q) inv_which: assert (counter_q && {u_dut.number_q, u_dut.upper_q} == which_q);
       inv_runs: assert (u_dut.running_q == (runs_q || start_o));
 
       c_both_wait: cover (addrs_q == 2'd2 && datas_q == 2'd2);
+      c_count: cover (s_axi_rvalid_o && counter_q);
       c_second_job: cover (start_o && s_axi_rvalid_o && interrupt_o);
     end
   end
