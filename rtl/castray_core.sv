@@ -148,7 +148,11 @@ module castray_core
   logic                    write_beat;
   assign write_wait = write_valid & ~write_ready;
 
-  axi_ports #(.Ports(Ports)) u_axi_ports (
+  // What is written at once: a row of a tile, or a hit record.
+  localparam int unsigned RowBytes   = PixelBytes << TileLog2;
+  localparam int unsigned WriteBytes = (RowBytes > HitBytes) ? RowBytes : HitBytes;
+
+  axi_ports #(.Ports(Ports), .MaxBeats(WriteBytes / StrbW)) u_axi_ports (
     .clk_i, .rst_ni,
     .read_valid_i(read_valid), .read_ready_o(read_ready), .read_i(read_req),
     .rsp_valid_o(rsp_valid), .rsp_o(rsp),

@@ -10,7 +10,8 @@ module axi_ports
 #(
   parameter int unsigned Ports     = DefaultPorts,
   parameter int unsigned MaxReads  = DefaultL2Misses + DefaultAttrMisses + DefaultRayBursts,   // bursts outstanding on each port
-  parameter int unsigned MaxWrites = 48   // of two beats: more than memory takes to answer
+  parameter int unsigned MaxWrites = 48,  // of two beats: more than memory takes to answer
+  parameter int unsigned MaxBeats  = 4    // of a write
 ) (
   input  logic                    clk_i,
   input  logic                    rst_ni,
@@ -128,7 +129,7 @@ module axi_ports
   assign read_error_o = |error;
 
   // ---- Writes ----
-  axi_writer #(.MaxWrites(MaxWrites)) u_axi_writer (
+  axi_writer #(.MaxWrites(MaxWrites), .MaxBeats(MaxBeats)) u_axi_writer (
     .clk_i, .rst_ni,
     .req_valid_i(write_valid_i), .req_ready_o(write_ready_o), .req_i(write_i),
     .block_i, .idle_o(write_idle_o), .error_o(write_error_o), .beat_o(write_beat_o),

@@ -6,7 +6,7 @@
 //           INCR, 16 bytes a beat, AxCACHE 0011, the ID is the client's number
 //   W       the burst shifts out of its register, lowest bytes first
 //   B       always taken
-// A client's burst has 1, 2 or 4 beats and is aligned to its own size.
+// A client's burst has 1, 2 or 4 beats, MaxBeats at most, and is aligned to its own size.
 // error_o: a response came with an error (one cycle).
 // block_i: no burst is taken; those taken before are sent whole. idle_o: nothing is outstanding.
 // Latency: 1 cycle from a request to AW and to the first beat of W.
@@ -14,7 +14,8 @@ module axi_writer
   import castray_pkg::*;
 #(
   parameter int unsigned Clients   = WriteClients,
-  parameter int unsigned MaxWrites = 16
+  parameter int unsigned MaxWrites = 16,
+  parameter int unsigned MaxBeats  = 4
 ) (
   input  logic               clk_i,
   input  logic               rst_ni,
@@ -54,6 +55,9 @@ module axi_writer
   end
   if (MaxWrites < 1 || MaxWrites > 256) begin : g_writes
     $error("axi_writer: MaxWrites must be 1 to 256");
+  end
+  if (MaxBeats != 1 && MaxBeats != 2 && MaxBeats != 4) begin : g_beats
+    $error("axi_writer: MaxBeats must be 1, 2 or 4");
   end
 
   localparam int unsigned IdxW = (Clients > 1) ? $clog2(Clients) : 1;
@@ -95,10 +99,9 @@ module axi_writer
   assign m_axi_awprot_o  = 3'b000;
 
   // ---- W: the burst in flight, its next beat at index 0 ----
-  localparam int unsigned Beats = 4;
   logic [2:0]       left_q;
-  beat_t            data_q [Beats];
-  logic [StrbW-1:0] strb_q [Beats];
+  beat_t            data_q [MaxBeats];
+  logic [StrbW-1:0] strb_q [MaxBeats];
   logic             send;
   assign send           = m_axi_wvalid_o && m_axi_wready_i;
   assign data_ready     = left_q == '0 || (send && m_axi_wlast_o);
@@ -115,12 +118,12 @@ module axi_writer
   end
   always_ff @(posedge clk_i) begin
     if (take) begin
-      for (int unsigned i = 0; i < Beats; i++) begin
+      for (int unsigned i = 0; i < MaxBeats; i++) begin
         data_q[i] <= req.data[DataW*i +: DataW];
         strb_q[i] <= req.strb[StrbW*i +: StrbW];
       end
     end else if (send) begin
-      for (int unsigned i = 0; i + 1 < Beats; i++) begin
+      for (int unsigned i = 0; i + 1 < MaxBeats; i++) begin
         data_q[i] <= data_q[i+1];
         strb_q[i] <= strb_q[i+1];
       end
@@ -149,6 +152,7 @@ module axi_writer
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
     if (rst_ni && take) begin
+      assert (32'(req.beats) <= MaxBeats) else $error("client %0d writes %0d beats", client, req.beats);
       assert ((req.beats == 1 && req.addr[3:0] == '0) || (req.beats == 2 && req.addr[4:0] == '0) ||
               (req.beats == 4 && req.addr[5:0] == '0))
       else $error("client %0d writes %0d beats at %h", client, req.beats, req.addr);
