@@ -67,10 +67,15 @@ module node_order
   logic        neg_q, neg2_q;
   places_t     place_q;
 
+  // Whether two of four bits are set, or more.
+  function automatic logic two(logic [3:0] x);
+    return (x[0] && x[1]) || (x[2] && x[3]) || ((x[0] || x[1]) && (x[2] || x[3]));
+  endfunction
+
   function automatic places_t places();
     logic  [3:0]       visited;
     tick_t [3:0]       entered;
-    logic  [3:0] [3:0] ahead;      // [i][j]: child j is visited before child i
+    logic  [3:0] [3:0] ahead;      // [i][j]: child j comes before child i; those that are not visited come last
     for (int unsigned i = 0; i < 4; i++) begin
       visited[i] = exists_i[i] && !none_i[i] && !limits_none_i && low_i[i] <= high_i[i] && low_i[i] <= last_i
                    && high_i[i] >= first_i;
@@ -79,17 +84,15 @@ module node_order
     ahead = '0;
     for (int unsigned i = 0; i < 4; i++) begin
       for (int unsigned j = 0; j < i; j++) begin
-        ahead[i][j] = visited[j] && entered[j] <= entered[i];
-        ahead[j][i] = visited[i] && entered[j] > entered[i];
+        ahead[i][j] = !visited[i] || (visited[j] && entered[j] <= entered[i]);
+        ahead[j][i] = !ahead[i][j];
       end
     end
-    places = '0;
+    places.who  = '0;
+    places.some = {&visited, (&visited[1:0] && |visited[3:2]) || (&visited[3:2] && |visited[1:0]), two(visited), |visited};
     for (int unsigned k = 0; k < 4; k++) begin
       for (int unsigned i = 0; i < 4; i++) begin
-        if (visited[i] && $countones(ahead[i]) == k) begin
-          places.some[k] = 1'b1;
-          places.who[k] |= 2'(i);
-        end
+        if ({two(ahead[i]), ^ahead[i]} == 2'(k)) places.who[k] |= 2'(i);   // so many are ahead, three at most
       end
     end
   endfunction
