@@ -10,6 +10,9 @@ pnr-check: $(call venv,yosys) $(call venv,pnr) ## the units that miss their cloc
 pnr-record: $(call venv,yosys) $(call venv,pnr) ## write these clocks and docs/pnr.md anew, from what was placed
 	@python3 tools/pnr/pnr.py --record
 
+# tb/cli/clocks.sh places a small unit.
+tests: $(call venv,yosys) $(call venv,pnr)
+
 # Some units: make pnr/isect/ray_prim
 pnr/%: $(call venv,yosys) $(call venv,pnr)
 	@python3 tools/pnr/pnr.py -j $(JOBS) $*
