@@ -3,7 +3,7 @@
 // any order. They come from either of two steps and wait in a queue, so that whoever is sent here is
 // taken. An index behind the section raises fault_o, and its context gets nothing. A RefTile goes to a
 // line that was written here, if there are such (Kept).
-// From visit_valid_i to out_valid_o: 5 cycles for a line that the cache holds, 3 for a kept one.
+// From visit_valid_i to out_valid_o: 5 cycles for a line that the cache holds, 4 for a kept one.
 module line_fetch
   import castray_cfg_pkg::*, castray_pkg::*;
 #(
@@ -78,13 +78,27 @@ module line_fetch
   assign fault_o    = (head_valid && !head.kept && !in_range) ? Fault : ErrNone;
   assign wait_o     = ask && !cache_ready;
 
+  // A kept line is asked for from a register: the queue does not wait for its turn, and the data memory's address
+  // comes from there.
+  typedef struct packed {
+    ctx_t             ctx;
+    logic [KeptW-1:0] index;
+  } kept_t;
+  logic  kept_valid, cache_kept_ready;
+  kept_t kept;
+  pipe_stage #(.data_t(kept_t)) u_kept (
+    .clk_i, .rst_ni,
+    .valid_i(Kept != 0 && head_valid && head.kept), .ready_o(kept_ready),
+    .data_i('{ctx: head.ctx, index: KeptW'(head.index)}),
+    .valid_o(kept_valid), .ready_i(cache_kept_ready), .data_o(kept)
+  );
+
   line_cache #(.id_t(ctx_t), .Lines(Lines), .Kept(Kept), .ReadW(ReadW)) u_cache (
     .clk_i, .rst_ni, .hit_o, .miss_o,
     .in_valid_i(ask), .in_ready_o(cache_ready),
     .in_id_i(head.ctx), .in_line_i(base_i + line_no_t'(head.index)),
     .keep_i, .keep_index_i,
-    .kept_valid_i(head_valid && head.kept), .kept_ready_o(kept_ready),
-    .kept_id_i(head.ctx), .kept_index_i(KeptW'(head.index)),
+    .kept_valid_i(kept_valid), .kept_ready_o(cache_kept_ready), .kept_id_i(kept.ctx), .kept_index_i(kept.index),
     .out_valid_o, .out_ready_i, .out_id_o(out_ctx_o), .out_kept_o, .out_data_o,
     .req_valid_o, .req_ready_i, .req_o,
     .data_valid_i(fill_valid_i), .data_miss_i(fill_i.miss), .data_part_i('0), .data_i(fill_i.data[ReadW-1:0]),
