@@ -137,8 +137,6 @@ module axi_reader_proof
       if (follows && ahead == 2'd1)
         inv_item: assert (u_dut.u_ar.spare_q.id == burst.id && u_dut.u_ar.spare_q.req.addr == burst.addr &&
                           8'(u_dut.u_ar.spare_q.req.beats) - 8'd1 == burst.len);
-      inv_arb: assert (32'(u_dut.u_arb.index_q) < Clients &&
-                       (!u_dut.u_arb.locked_q || block_i || req_valid_i[u_dut.u_arb.index_q]));
 
       c_full_burst: cover (alone_q && bursts_q == CntW'(1) && !ar && len_q == 8'd15 && beats_q == 8'd15 && r && m_axi_rlast_i);
       if (MaxReads <= 4) c_full: cover (bursts_q == CntW'(MaxReads) && req_valid_i == '1);

@@ -162,8 +162,6 @@ module axi_writer_proof
       if (follows && ahead == 2'd1)
         inv_item: assert (u_dut.u_aw.spare_q.id == burst.id && u_dut.u_aw.spare_q.addr == burst.addr &&
                           8'(u_dut.u_aw.spare_q.beats) - 8'd1 == burst.len);
-      inv_arb: assert (32'(u_dut.u_arb.index_q) < Clients &&
-                       (!u_dut.u_arb.locked_q || block_i || req_valid_i[u_dut.u_arb.index_q]));
 
       c_full_burst: cover (w && m_axi_wlast_o && follows_w_q && four_q);
       if (MaxWrites <= 4) c_full: cover (addrs_q == CntW'(MaxWrites) && datas_q == CntW'(MaxWrites) && req_valid_i == '1);

@@ -69,7 +69,7 @@ module pair_fifo_proof #(
         inv_places: assert ((CntW+1)'(head) < (CntW+1)'(Depth) && u_dut.g_fifo[i].u_fifo.tail_q == behind(head, inner[i]));
         inv_own: assert (own);
         if (follows) inv_item: assert (u_dut.g_fifo[i].u_fifo.mem_q[behind(head, ahead)] == item);
-        if (before_q != '0) inv_turn: assert (u_dut.u_arb.locked_q == (u_dut.u_arb.index_q == 1'(i)) && inner[i] != '0);
+        if (before_q != '0) inv_turn: assert ((u_dut.u_arb.early_q == 2'b10) == (i == 1) && inner[i] != '0);
         c_last_leaves: cover (follows && ahead == '0 && inner[i] == CntW'(1) && valid_o && ready_i &&
                               out_side == 1'(i) && head == PtrW'(Depth - 1));
       end
@@ -79,7 +79,7 @@ module pair_fifo_proof #(
   always_comb begin
     if (rst_ni) begin
       nothing_lost: assert (valid_o == (inner != '0));
-      if (u_dut.u_arb.locked_q) inv_locked: assert (inner[u_dut.u_arb.index_q] != '0);
+      inv_early: assert (u_dut.u_arb.early_q != 2'b01);
       c_full: cover (ready_o == '0 && valid_i == '1);
     end
   end
