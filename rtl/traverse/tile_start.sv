@@ -96,8 +96,8 @@ module tile_start
   end
 
   // ---- Bounds, frontier ----
-  logic         bounds_valid, bounds_ready, ask_valid, node_valid, node_ready, parts_valid, parts_ready, at_root;
-  tile_bounds_t bounds;
+  logic         formed_valid, formed_ready, bounds_valid, bounds_ready, ask_valid, node_valid, node_ready, parts_valid, parts_ready, at_root;
+  tile_bounds_t formed, bounds;
   ctx_t         ask_tile, node_tile;
   line_t        ask_index;
   line_data_t   node;
@@ -109,7 +109,12 @@ module tile_start
 
   tile_bounds u_bounds (
     .clk_i, .rst_ni, .in_valid_i(ray_valid_i), .in_ready_o(ray_ready_o), .in_i(ray_i),
-    .out_valid_o(bounds_valid), .out_ready_i(bounds_ready), .out_o(bounds)
+    .out_valid_o(formed_valid), .out_ready_i(formed_ready), .out_o(formed)
+  );
+  pipe_cut #(.data_t(tile_bounds_t)) u_formed (   // the frontier's decision does not reach the camera's pipes
+    .clk_i, .rst_ni,
+    .valid_i(formed_valid), .ready_o(formed_ready), .data_i(formed),
+    .valid_o(bounds_valid), .ready_i(bounds_ready), .data_o(bounds)
   );
   frontier #(.Tiles(Tiles)) u_frontier (
     .clk_i, .rst_ni, .eye_i, .root_i, .fault_o(frontier_fault),
